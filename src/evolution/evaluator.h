@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vector>
+
+#include "gait/genome.h"
+#include "gait/outcome.h"
+
+namespace hexapod_repertoire {
+
+/// Tells what genomes do. All that evolution knows of the task.
+class Evaluator {
+ public:
+  virtual ~Evaluator() = default;
+
+  /// One outcome per genome, in the same order. Deterministic: an outcome depends on its genome
+  /// alone. Called from one thread; may use as many as it likes inside.
+  virtual std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) = 0;
+};
+
+}  // namespace hexapod_repertoire

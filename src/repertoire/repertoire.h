@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "repertoire/entry.h"
+
+namespace hexapod_repertoire {
+
+/// One line of a learning run's history.
+struct HistoryRow {
+  std::int64_t evaluations = 0;
+  std::int64_t archive_size = 0;
+  double sparseness_m = 0.0;
+  double median_orientation_error_rad = 0.0;
+  double max_reach_m = 0.0;
+  double elapsed_s = 0.0;
+};
+
+/// A learned repertoire as it is stored, published and planned with.
+struct Repertoire {
+  std::string run_id;    ///< names the learning run; entry ids are unique within it
+  std::string robot_id;  ///< RobotDescription::digest of the robot it was learned for
+  std::uint64_t seed = 0;
+  std::int64_t generation = 0;
+  std::int64_t evaluations = 0;
+  double behavior_duration_s = 0.0;  ///< of every entry, return to neutral included
+  std::map<std::string, std::string> options;  ///< every option of the run, by name, as text
+  std::vector<Entry> entries;
+  std::vector<HistoryRow> history;
+};
+
+}  // namespace hexapod_repertoire

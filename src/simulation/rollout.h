@@ -1,0 +1,14 @@
+#pragma once
+
+#include "gait/behavior.h"
+#include "gait/outcome.h"
+#include "simulation/world.h"
+
+namespace hexapod_repertoire {
+
+/// Plays one behaviour from the world's present state and returns its end pose relative to the
+/// footprint it started from. Stops at the first failure; the world is then left as it is.
+/// Throws std::invalid_argument when the command period is not a multiple of the world's step.
+Outcome play(World& world, const Behavior& behavior, double command_period_s);
+
+}  // namespace hexapod_repertoire
