@@ -17,7 +17,7 @@ using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 struct Option {
   using Target = std::variant<bool*, std::int64_t*, double*, std::string*>;
 
-  std::string name;     ///< snake_case with the unit as suffix
+  std::string name;  ///< snake_case with the unit as suffix
   Target target;
   std::string unit;     ///< "" when it has none
   std::string meaning;  ///< one sentence
@@ -40,21 +40,25 @@ Option option(const std::string& name, std::int64_t& target, const std::string& 
 Option option(const std::string& name, double& target, const std::string& unit,
               const std::string& meaning, double min, double max);
 
-/// Sets the options from named values. An integer is accepted for a double, nothing else is converted.
-/// Throws std::invalid_argument listing every problem at once, one sentence a line, each naming the
-/// key, `source` (a file or node), what was expected, what was found: unknown key (with the nearest
-/// known name), wrong type (numbers written as text get told so: YAML reads 1e-2 as text), out of
-/// range, not finite. Nothing is set when anything is wrong.
+/// Sets the options from named values. An integer is accepted for a double, nothing else is
+/// converted. Throws std::invalid_argument listing every problem at once, one sentence a line, each
+/// naming the key, `source` (a file or node), what was expected, what was found: unknown key (with
+/// the nearest known name), wrong type (numbers written as text get told so: YAML reads 1e-2 as
+/// text), out of range, not finite. Nothing is set when anything is wrong.
 void applyOptions(const std::vector<Option>& options,
                   const std::map<std::string, OptionValue>& values, const std::string& source);
 
 /// Flat map of a YAML text or file: key: scalar. Throws std::runtime_error naming file and line.
 std::map<std::string, OptionValue> optionValuesFromYaml(const std::string& file);
 
-/// A scalar as YAML 1.1 and roscpp type it: 3 integer, 3.0 and 1.0e-2 double, true/false bool, else text.
+/// A scalar as YAML 1.1 and roscpp type it: 3 integer, 3.0 and 1.0e-2 double, true/false bool, else
+/// text.
 OptionValue optionValueFromText(const std::string& text);
 
-/// A table for help texts: name, default, unit, range, meaning.
+/// The known name nearest to a misspelt one, or "" when none is near.
+std::string nearestName(const std::string& name, const std::vector<std::string>& known);
+
+/// A Markdown table of the options: name, value now, range with unit, meaning.
 std::string describeOptions(const std::vector<Option>& options);
 
 }  // namespace hexapod_repertoire

@@ -20,8 +20,8 @@ Pose2 operator*(const Pose2& a_from_b, const Pose2& b_from_c) {
 Pose2 inverse(const Pose2& a_from_b) {
   const double cosine = std::cos(a_from_b.yaw_rad);
   const double sine = std::sin(a_from_b.yaw_rad);
-  return {-cosine * a_from_b.x_m - sine * a_from_b.y_m,
-          sine * a_from_b.x_m - cosine * a_from_b.y_m, wrapAngle(-a_from_b.yaw_rad)};
+  return {-cosine * a_from_b.x_m - sine * a_from_b.y_m, sine * a_from_b.x_m - cosine * a_from_b.y_m,
+          wrapAngle(-a_from_b.yaw_rad)};
 }
 
 double distance(const Pose2& a, const Pose2& b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }

@@ -32,7 +32,8 @@ double headingDistance(const Pose2& a, const Pose2& b);
 bool isFinite(const Pose2& pose);
 
 /// The footprint of a body in space (REP-120 base_footprint): its position projected on the floor
-/// and the heading of its x axis. At a pitch of +-90 degrees the heading is that of atan2(0, 0) = 0.
+/// and the heading of its x axis. At a pitch of +-90 degrees the heading is that of atan2(0, 0) =
+/// 0.
 Pose2 footprint(const Eigen::Isometry3d& world_from_body);
 
 }  // namespace hexapod_repertoire

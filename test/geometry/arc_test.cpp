@@ -1,8 +1,8 @@
 #include "geometry/arc.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace hexapod_repertoire {
 namespace {

@@ -1,8 +1,8 @@
 #include "geometry/pose2.h"
 
-#include <cmath>
-
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace hexapod_repertoire {
 namespace {
