@@ -21,7 +21,8 @@ class Gait {
   /// Throws std::invalid_argument when the number of genes or a level does not fit the robot.
   Gait(const RobotDescription& robot, const Genome& genome);
 
-  /// Writes the targets [rad] at time_s [s] in joint order; resizes `angles_rad` to the joint count.
+  /// Writes the targets [rad] at time_s [s] in joint order; resizes `angles_rad` to the joint
+  /// count.
   void angles(double time_s, std::vector<double>& angles_rad) const;
 
   const RobotDescription& robot() const { return *robot_; }

@@ -9,9 +9,9 @@ namespace hexapod_repertoire {
 /// How a simulated behaviour ended. Only kWalked has an end pose.
 enum class Verdict {
   kWalked,
-  kFell,           ///< body touched the floor or left the allowed height
-  kSelfCollided,   ///< two legs touched
-  kDiverged        ///< the simulation blew up: a pose or velocity was not finite or absurd
+  kFell,          ///< body touched the floor or left the allowed height
+  kSelfCollided,  ///< two legs touched
+  kDiverged       ///< the simulation blew up: a pose or velocity was not finite or absurd
 };
 
 /// "walked", "fell", "self-collided", "diverged".
@@ -20,14 +20,15 @@ std::string toString(Verdict verdict);
 /// What a behaviour leads to.
 struct Outcome {
   Verdict verdict = Verdict::kDiverged;
-  Pose2 end_pose;  ///< start_from_end footprint; only when walked
+  Pose2 end_pose;                      ///< start_from_end footprint; only when walked
   double orientation_error_rad = 0.0;  ///< the paper's |theta|, lower is better; only when walked
 
   bool walked() const { return verdict == Verdict::kWalked; }
 };
 
 /// A walked outcome with its orientation error. Coordinates are rounded to 1e-5 m and 1e-5 rad, so
-/// that ties between mirrored or equal gaits are ties on every machine. A pose that is not finite is kDiverged.
+/// that ties between mirrored or equal gaits are ties on every machine. A pose that is not finite
+/// is kDiverged.
 Outcome walkedTo(const Pose2& start_from_end);
 
 }  // namespace hexapod_repertoire

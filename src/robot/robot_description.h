@@ -1,10 +1,9 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <string>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 namespace hexapod_repertoire {
 
@@ -66,7 +65,7 @@ struct Servo {
 
 /// Contact of legs and floor and the constants of the velocity-level solver (ODE's names).
 struct Contact {
-  double friction = 0.9;  ///< Coulomb coefficient mu
+  double friction = 0.9;       ///< Coulomb coefficient mu
   double slip_per_n_s = 0.02;  ///< force-dependent slip, both tangents [m/(N s)]
   double soft_erp = 0.1;
   double soft_cfm = 0.001;
@@ -80,8 +79,8 @@ struct FailureRules {
   double max_base_height_m = 0.5;  ///< base origin above this: fell (thrown up)
 };
 
-/// Everything known about one robot: immutable, shared by simulation, gait, planner limits and rviz.
-/// Built by loadRobot() from a URDF and a YAML. Joints are numbered leg by leg, from the base
+/// Everything known about one robot: immutable, shared by simulation, gait, planner limits and
+/// rviz. Built by loadRobot() from a URDF and a YAML. Joints are numbered leg by leg, from the base
 /// outwards: index = first joint of the leg + segment.
 struct RobotDescription {
   std::string name;
