@@ -1,10 +1,9 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 #include <vector>
-
-#include <Eigen/Geometry>
 
 #include "gait/outcome.h"
 #include "robot/robot_description.h"
@@ -14,17 +13,18 @@ namespace hexapod_repertoire {
 /// What can differ from the nominal world: the step of the integrator and scales on the robot
 /// description's own values. The reality gap, on purpose.
 struct Physics {
-  double step_s = 0.015;           ///< [s]; command period must be a multiple of it
+  double step_s = 0.015;  ///< [s]; command period must be a multiple of it
   double gravity_m_per_s2 = 9.81;
-  double friction_scale = 1.0;     ///< of Contact::friction
-  double mass_scale = 1.0;         ///< of every mass and inertia
-  double servo_gain_scale = 1.0;   ///< of Servo::gain_per_s
-  double torque_scale = 1.0;       ///< of every joint's max_torque_nm
-  double slope_x_rad = 0.0;        ///< floor rises toward +x: gravity is tilted instead
-  double slope_y_rad = 0.0;        ///< floor rises toward +y
+  double friction_scale = 1.0;    ///< of Contact::friction
+  double mass_scale = 1.0;        ///< of every mass and inertia
+  double servo_gain_scale = 1.0;  ///< of Servo::gain_per_s
+  double torque_scale = 1.0;      ///< of every joint's max_torque_nm
+  double slope_x_rad = 0.0;       ///< floor rises toward +x: gravity is tilted instead
+  double slope_y_rad = 0.0;       ///< floor rises toward +y
 };
 
-/// A copy of a world's full dynamic state; opaque, and valid for worlds of the same engine and robot.
+/// A copy of a world's full dynamic state; opaque, and valid for worlds of the same engine and
+/// robot.
 struct WorldState {
   std::vector<double> values;
 };
@@ -52,8 +52,8 @@ class World {
   virtual void setTargets(const std::vector<double>& targets_rad) = 0;
 
   /// Advances by physics().step_s. Returns kWalked while nothing failed; the failures of Outcome
-  /// otherwise. A failed world goes on stepping (a robot that fell lies there), except diverged ones,
-  /// which stay diverged until restart() or restore().
+  /// otherwise. A failed world goes on stepping (a robot that fell lies there), except diverged
+  /// ones, which stay diverged until restart() or restore().
   virtual Verdict step() = 0;
 
   virtual Eigen::Isometry3d worldFromBase() const = 0;
@@ -67,6 +67,7 @@ enum class Engine { kOde };
 
 /// Builds a world. The description is copied in. Throws std::invalid_argument when a physics value
 /// is out of range (naming it).
-std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot, const Physics& physics);
+std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
+                                 const Physics& physics);
 
 }  // namespace hexapod_repertoire

@@ -1,0 +1,47 @@
+#include "simulation/rollout.h"
+
+#include <cmath>
+#include <cstddef>
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+#include "geometry/pose2.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+std::size_t stepsPerCommand(double command_period_s, double step_s) {
+  const double steps = command_period_s / step_s;
+  const double whole = std::round(steps);
+  if (whole >= 1.0 && std::abs(steps - whole) < 1e-6) return static_cast<std::size_t>(whole);
+  std::ostringstream sentence;
+  sentence.imbue(std::locale::classic());
+  sentence << "The command period of " << command_period_s
+           << " s is not a multiple of the simulation step of " << step_s
+           << " s; choose a step_s that divides command_period_s.";
+  throw std::invalid_argument(sentence.str());
+}
+
+Outcome failed(Verdict verdict) {
+  Outcome outcome;
+  outcome.verdict = verdict;
+  return outcome;
+}
+
+}  // namespace
+
+Outcome play(World& world, const Behavior& behavior, double command_period_s) {
+  const std::size_t steps = stepsPerCommand(command_period_s, world.physics().step_s);
+  const Pose2 world_from_start = footprint(world.worldFromBase());
+  for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
+    world.setTargets(behavior.command(k));
+    for (std::size_t i = 0; i < steps; ++i) {
+      const Verdict verdict = world.step();
+      if (verdict != Verdict::kWalked) return failed(verdict);
+    }
+  }
+  return walkedTo(inverse(world_from_start) * footprint(world.worldFromBase()));
+}
+
+}  // namespace hexapod_repertoire
