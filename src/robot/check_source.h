@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "robot/problems.h"
+
+namespace hexapod_repertoire {
+
+/// The content of a regular file. Anything else, or more than a description ever needs (4 MiB), is
+/// a problem and gives an empty text.
+std::string readSource(const std::string& file, Problems& problems);
+
+/// True when the text is fit for a recursive parser: not empty, no binary data, for XML no deeper
+/// than 64 elements. Adds the problem otherwise; `kind` is "URDF" or "YAML".
+bool isReadable(const std::string& text, const std::string& source, const std::string& kind,
+                Problems& problems);
+
+}  // namespace hexapod_repertoire

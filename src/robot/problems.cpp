@@ -1,0 +1,27 @@
+#include "robot/problems.h"
+
+#include <locale>
+#include <sstream>
+#include <stdexcept>
+
+namespace hexapod_repertoire {
+
+void Problems::add(const std::string& source, const std::string& sentence) {
+  sentences_.push_back(source + ": " + sentence);
+}
+
+void Problems::throwIfAny() const {
+  if (none()) return;
+  std::string all;
+  for (const std::string& sentence : sentences_) all += (all.empty() ? "" : "\n") + sentence;
+  throw std::runtime_error(all);
+}
+
+std::string numberText(double value) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << value;
+  return text.str();
+}
+
+}  // namespace hexapod_repertoire

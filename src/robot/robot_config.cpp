@@ -1,0 +1,135 @@
+#include "robot/robot_config.h"
+
+#include <cmath>
+#include <set>
+
+#include "robot/check_source.h"
+#include "robot/yaml_section.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+// One reading of one file: the names for messages and where problems go.
+struct Reading {
+  std::string source;
+  Problems* problems;
+};
+
+std::string at(const std::string& path, std::size_t index) {
+  return path + "[" + std::to_string(index) + "]";
+}
+
+// The gait entries under `key`, one per position in the leg; names stay empty.
+std::vector<JointConfig> readGait(YamlSection& parent, const std::string& path,
+                                  const Reading& reading) {
+  std::vector<JointConfig> gait;
+  for (const YAML::Node& node : parent.list("gait")) {
+    YamlSection section(node, at(path, gait.size()), reading.source, *reading.problems);
+    JointConfig joint;
+    const double signal = section.number("signal", 1.0, 2.0, "");
+    if (signal != 1.0 && signal != 2.0) section.addProblem("signal", "should be 1 or 2.");
+    joint.signal = signal == 1.0 ? Signal::kFirst : Signal::kSecond;
+    joint.neutral_rad = section.number("neutral_rad", -M_PI, M_PI, "rad");
+    joint.amplitude_rad = section.number("amplitude_rad", -M_PI, M_PI, "rad");
+    section.finish();
+    gait.push_back(joint);
+  }
+  return gait;
+}
+
+LegConfig readLeg(YamlSection& section, const std::string& path,
+                  const std::vector<JointConfig>& common_gait, const Reading& reading) {
+  LegConfig leg;
+  leg.name = section.text("name");
+  leg.joints = section.has("gait") ? readGait(section, path + ".gait", reading) : common_gait;
+  const std::vector<YAML::Node> names = section.list("joints");
+  section.finish();
+  if (names.empty() || leg.joints.empty()) return leg;
+  if (names.size() != leg.joints.size()) {
+    section.addProblem("joints", "has " + std::to_string(names.size()) + " joints, but its gait " +
+                                     std::to_string(leg.joints.size()) +
+                                     " entries; expected one entry per joint.");
+    leg.joints.resize(names.size());
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const bool is_text = names[i].IsScalar() && !names[i].Scalar().empty();
+    if (!is_text) section.addProblem(at("joints", i), "should be the name of a URDF joint.");
+    if (is_text) leg.joints[i].name = names[i].Scalar();
+  }
+  return leg;
+}
+
+std::vector<LegConfig> readLegs(YamlSection& root, const Reading& reading) {
+  const std::vector<JointConfig> common_gait = readGait(root, "gait", reading);
+  std::vector<LegConfig> legs;
+  std::set<std::string> names;
+  std::set<std::string> joints;
+  for (const YAML::Node& node : root.list("legs")) {
+    const std::string path = at("legs", legs.size());
+    YamlSection section(node, path, reading.source, *reading.problems);
+    LegConfig leg = readLeg(section, path, common_gait, reading);
+    if (!leg.name.empty() && !names.insert(leg.name).second) {
+      section.addProblem("name", "is " + leg.name + " a second time; give each leg its own name.");
+    }
+    for (const JointConfig& joint : leg.joints) {
+      if (joint.name.empty() || joints.insert(joint.name).second) continue;
+      section.addProblem("joints", "lists joint " + joint.name +
+                                       " a second time; a joint belongs to one leg, once.");
+    }
+    legs.push_back(leg);
+  }
+  return legs;
+}
+
+Servo readServo(YamlSection section) {
+  Servo servo;
+  servo.gain_per_s = section.number("gain_per_s", 0.1, 1000.0, "1/s");
+  servo.dead_zone_rad_per_s = section.number("dead_zone_rad_per_s", 0.0, 1.0, "rad/s");
+  section.finish();
+  return servo;
+}
+
+Contact readContact(YamlSection section) {
+  Contact contact;
+  contact.friction = section.number("friction", 0.0, 10.0, "");
+  contact.slip_per_n_s = section.number("slip_per_n_s", 0.0, 10.0, "m/(N s)");
+  contact.soft_erp = section.number("soft_erp", 0.0, 1.0, "");
+  contact.soft_cfm = section.number("soft_cfm", 0.0, 1.0, "m/(N s)");
+  contact.max_correcting_velocity_m_per_s =
+      section.number("max_correcting_velocity_m_per_s", 0.001, 1e6, "m/s");
+  contact.joint_erp = section.number("joint_erp", 0.0, 1.0, "");
+  contact.joint_cfm = section.number("joint_cfm", 0.0, 1.0, "");
+  section.finish();
+  return contact;
+}
+
+FailureRules readFailure(YamlSection section) {
+  FailureRules failure;
+  failure.max_base_height_m = section.number("max_base_height_m", 0.01, 100.0, "m");
+  section.finish();
+  return failure;
+}
+
+}  // namespace
+
+RobotConfig parseRobotConfig(const std::string& text, const std::string& source,
+                             Problems& problems) {
+  RobotConfig config;
+  if (!isReadable(text, source, "YAML", problems)) return config;
+  try {
+    YamlSection root(YAML::Load(text), "", source, problems);
+    config.name = root.text("name");
+    config.base_link = root.text("base_link");
+    config.legs = readLegs(root, Reading{source, &problems});
+    config.servo = readServo(root.section("servo"));
+    config.contact = readContact(root.section("contact"));
+    config.failure = readFailure(root.section("failure"));
+    root.finish();
+  } catch (const YAML::Exception& error) {
+    problems.add(source, "line " + std::to_string(error.mark.line + 1) +
+                             ": this is not YAML: " + error.msg + ".");
+  }
+  return config;
+}
+
+}  // namespace hexapod_repertoire
