@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "planning/move.h"
+#include "planning/pose_table.h"
+#include "planning/steps_to_go.h"
+
+namespace hexapod_repertoire {
+
+/// What is computed once per repertoire. Immutable.
+struct PlanningTables {
+  PlanningTables(const Repertoire& repertoire, const PlannerOptions& options);
+
+  std::vector<Move> moves;
+  /// Indices of few moves that stand for all: evenly spread ones, and those that reach farthest.
+  std::vector<std::size_t> representatives;
+  PoseTable singles;  ///< all moves
+  PoseTable pairs;    ///< all pairs of moves, or of a well-spread subset when those are too many
+  StepsToGo steps_to_go;
+};
+
+}  // namespace hexapod_repertoire
