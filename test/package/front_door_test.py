@@ -1,0 +1,164 @@
+"""The script `run` at the root, with the commands it calls replaced by shell functions."""
+import os
+import pathlib
+import shlex
+import shutil
+import subprocess
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+NOTHING_INSTALLED = "dpkg-query() { return 1; }; "
+EVERYTHING_INSTALLED = "dpkg-query() { printf '%s installed\\n' \"${@:4}\"; }; "
+NO_ROOT = "id() { echo 1000; }; sudo() { return 1; }; "
+AS_ROOT = 'id() { echo 0; }; env() { echo "env $*"; }; '
+NO_BUILD = "cmake() { :; }; "
+
+
+@pytest.fixture(name="checkout")
+def fixture_checkout(tmp_path):
+    """A checkout with the front door and a stand-in for what a build leaves behind."""
+    shutil.copy(str(ROOT / "run"), str(tmp_path))
+    shutil.copy(str(ROOT / "packages.txt"), str(tmp_path))
+    stand_in = tmp_path / "python" / "hexapod_repertoire"
+    stand_in.mkdir(parents=True)
+    (stand_in / "__init__.py").touch()
+    (stand_in / "launch.py").write_text("import sys\nprint(sys.argv[1:])\nsys.exit(7)\n")
+    setup = tmp_path / "build" / "devel" / "setup.bash"
+    setup.parent.mkdir(parents=True)
+    (tmp_path / "build" / "CMakeCache.txt").write_text(
+        f"CMAKE_HOME_DIRECTORY:INTERNAL={tmp_path}\n")
+    setup.write_text('echo "arguments: $#"; : "$unset_variable"\n/usr/bin/env\n'
+                     f"export PYTHONPATH={tmp_path}/python\n")
+    return tmp_path
+
+
+def run(checkout, *arguments, functions="", **variables):
+    """Runs the front door with shell functions in place of the commands of the same names."""
+    environment = {key: value for key, value in os.environ.items()
+                   if key not in ("DISPLAY", "CI") and not key.startswith("ROS")}
+    environment.update(variables)
+    script = f"{functions} export -f {names_of(functions)}; exec {shlex.quote(str(checkout))}/run"
+    return subprocess.run(
+        ["bash", "-c", script + ' "$@"', "bash", *arguments], env=environment, check=False,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True)
+
+
+def names_of(functions):
+    return " ".join(part.split("()")[0].split()[-1] for part in functions.split("; ")
+                    if "()" in part) or ":"
+
+
+@pytest.mark.parametrize("arguments", [[], ["help"], ["--help"]])
+def test_help_names_every_verb(arguments):
+    result = run(ROOT, *arguments)
+    assert result.returncode == 0
+    for verb in ("demo", "learn", "walk", "view", "test", "bench", "setup", "help"):
+        assert f"\n  {verb} " in result.stdout
+
+
+def test_unknown_verb_is_refused_with_the_help():
+    result = run(ROOT, "fly")
+    assert result.returncode == 2
+    assert "'fly'" in result.stderr and "usage:" in result.stderr
+    assert result.stdout == ""
+
+
+@pytest.mark.parametrize("verb", ["setup", "demo", "test", "bench"])
+def test_without_root_it_prints_the_one_line_to_ask_for(checkout, verb):
+    result = run(checkout, verb, functions=NOTHING_INSTALLED + NO_ROOT)
+    assert result.returncode == 1
+    line = result.stderr.splitlines()[-1]
+    assert line.startswith("sudo apt-get install --no-install-recommends ")
+    assert {"catkin", "cmake", "libode-dev", "python3-geometry-msgs"} <= set(line.split())
+    assert "rviz" not in line.split()
+
+
+def test_a_missing_package_is_the_only_one_asked_for(checkout):
+    functions = "dpkg-query() { printf '%s installed\\n' \"${@:4}\" | grep -v libode-dev; }; "
+    result = run(checkout, "setup", functions=functions + NO_ROOT)
+    assert result.stderr.splitlines()[-1].endswith("--no-install-recommends libode-dev")
+
+
+def test_a_removed_but_not_purged_package_is_missing(checkout):
+    functions = "dpkg-query() { printf '%s config-files\\n' \"${@:4}\"; }; "
+    assert run(checkout, "setup", functions=functions + NO_ROOT).returncode == 1
+
+
+def test_with_root_it_updates_the_lists_and_installs_everything_at_once(checkout):
+    result = run(checkout, "setup", functions=NOTHING_INSTALLED + AS_ROOT)
+    assert result.returncode == 0
+    update, install = result.stdout.splitlines()
+    assert update.endswith(" update")
+    assert "DEBIAN_FRONTEND=noninteractive" in install
+    assert " install --no-install-recommends build-essential " in install
+
+
+def test_with_nothing_missing_it_neither_asks_nor_installs(checkout):
+    functions = EVERYTHING_INSTALLED + AS_ROOT
+    result = run(checkout, "setup", functions=functions)
+    assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+
+
+@pytest.mark.parametrize("arguments, display, wanted", [
+    (["setup"], "", False), (["setup"], ":0", True),
+    (["demo"], "", False), (["demo"], ":0", True), (["demo", "rviz:=false"], ":0", False),
+    (["learn"], ":0", False), (["learn", "rviz:=true"], "", True),
+])
+def test_rviz_is_installed_only_where_it_will_be_shown(checkout, arguments, display, wanted):
+    result = run(checkout, *arguments, functions=NOTHING_INSTALLED + NO_ROOT, DISPLAY=display)
+    assert ("rviz" in result.stderr.splitlines()[-1].split()) == wanted
+
+
+def test_arguments_and_exit_code_pass_through_unchanged(checkout):
+    result = run(checkout, "learn", "seed:=3", "repertoire_file:=/data/a b.db",
+                 functions=EVERYTHING_INSTALLED + NO_BUILD)
+    assert result.returncode == 7
+    assert result.stdout.splitlines()[-1] == str(
+        [f"{checkout}/launch/learn.launch", "seed:=3", "repertoire_file:=/data/a b.db"])
+
+
+def environment_of_the_launch(checkout, **variables):
+    result = run(checkout, "learn", "seed:=3", functions=EVERYTHING_INSTALLED + NO_BUILD,
+                 **variables)
+    lines = result.stdout.splitlines()
+    assert lines[0] == "arguments: 0"
+    return dict(line.partition("=")[::2] for line in lines)
+
+
+def test_a_foreign_python_and_a_foreign_ros_are_left_behind(checkout):
+    foreign = {name: "/elsewhere" for name in (
+        "PYTHONPATH", "ROS_PACKAGE_PATH", "CMAKE_PREFIX_PATH", "ROS_ROOT", "LD_LIBRARY_PATH")}
+    environment = environment_of_the_launch(
+        checkout, PATH="/elsewhere:" + os.environ["PATH"], **foreign)
+    assert environment["PATH"].startswith("/usr/bin:/bin:")
+    assert not set(foreign) & set(environment)
+
+
+def test_ros_stays_on_this_machine_by_default(checkout):
+    environment = environment_of_the_launch(checkout)
+    assert environment["ROS_MASTER_URI"] == "http://127.0.0.1:11311"
+    assert environment["ROS_IP"] == "127.0.0.1"
+    assert environment["ROS_HOME"] == f"{checkout}/build/ros_home"
+
+
+def test_master_and_address_set_by_the_user_are_kept(checkout):
+    environment = environment_of_the_launch(
+        checkout, ROS_MASTER_URI="http://robot:11311", ROS_IP="10.0.0.2")
+    assert environment["ROS_MASTER_URI"] == "http://robot:11311"
+    assert environment["ROS_IP"] == "10.0.0.2"
+
+
+def test_a_build_folder_that_was_moved_here_is_configured_afresh(checkout):
+    cache = checkout / "build" / "CMakeCache.txt"
+    cache.write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n")
+    run(checkout, "learn", functions=EVERYTHING_INSTALLED + NO_BUILD)
+    assert not cache.exists()
+
+
+def test_a_failed_build_shows_its_log_and_starts_nothing(checkout):
+    result = run(checkout, "learn", functions=EVERYTHING_INSTALLED
+                 + "cmake() { echo what the compiler said; return 1; }; ")
+    assert result.returncode == 1
+    assert "what the compiler said" in result.stderr and "build.log" in result.stderr
+    assert result.stdout == ""
