@@ -3,32 +3,63 @@
 #include <algorithm>
 #include <cctype>
 #include <cstdint>
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <utility>
 
 namespace hexapod_repertoire {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 4 << 20;
-constexpr int kMaxXmlDepth = 64;
+constexpr int kMaxDepth = 64;
 
-// Depth of open elements, counted without parsing; comments and declarations do not open one.
+// End of the markup that starts at `start`, one past its last character.
+std::size_t markupEnd(const std::string& text, std::size_t start) {
+  for (const auto& [open, close] : {std::pair("<!--", "-->"), std::pair("<![CDATA[", "]]>")}) {
+    if (text.compare(start, std::strlen(open), open) != 0) continue;
+    const std::size_t end = text.find(close, start);
+    return end == std::string::npos ? text.size() : end + 3;
+  }
+  char quote = 0;
+  for (std::size_t i = start; i < text.size(); ++i) {
+    if (quote != 0) {
+      if (text[i] == quote) quote = 0;
+    } else if (text[i] == '"' || text[i] == '\'') {
+      quote = text[i];
+    } else if (text[i] == '>') {
+      return i + 1;
+    }
+  }
+  return text.size();
+}
+
+// Greatest number of elements open at once, counted without parsing.
 int xmlDepth(const std::string& text) {
   int depth = 0;
   int deepest = 0;
-  for (std::size_t i = 0; i + 1 < text.size(); ++i) {
-    if (text.compare(i, 4, "<!--") == 0) {
-      const std::size_t end = text.find("-->", i);
-      if (end == std::string::npos) break;
-      i = end;
-    } else if (text[i] == '<' && text[i + 1] == '/') {
+  std::size_t start = text.find('<');
+  while (start != std::string::npos && start + 1 < text.size()) {
+    const std::size_t end = markupEnd(text, start);
+    const char first = text[start + 1];
+    if (first == '/') {
       --depth;
-    } else if (text[i] == '<' && text[i + 1] != '!' && text[i + 1] != '?') {
+    } else if (first != '!' && first != '?' && text[end - 2] != '/') {
       deepest = std::max(deepest, ++depth);
-    } else if (text[i] == '/' && text[i + 1] == '>') {
-      --depth;
     }
+    start = text.find('<', end);
+  }
+  return deepest;
+}
+
+// Greatest number of flow lists and mappings open at once; brackets in comments count too.
+int yamlDepth(const std::string& text) {
+  int depth = 0;
+  int deepest = 0;
+  for (char c : text) {
+    if (c == '[' || c == '{') deepest = std::max(deepest, ++depth);
+    if (c == ']' || c == '}') --depth;
   }
   return deepest;
 }
@@ -75,9 +106,9 @@ bool isReadable(const std::string& text, const std::string& source, const std::s
     problems.add(source, "is empty; expected a " + kind + " text.");
   } else if (isBinary(text)) {
     problems.add(source, "holds binary data; expected a " + kind + " text.");
-  } else if (kind == "URDF" && xmlDepth(text) > kMaxXmlDepth) {
-    problems.add(source, "nests more than " + std::to_string(kMaxXmlDepth) +
-                             " XML elements; expected a URDF text.");
+  } else if ((kind == "URDF" ? xmlDepth(text) : yamlDepth(text)) > kMaxDepth) {
+    problems.add(source, "nests more than " + std::to_string(kMaxDepth) + " levels; expected a " +
+                             kind + " text.");
   } else {
     return true;
   }

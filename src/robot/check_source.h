@@ -10,8 +10,8 @@ namespace hexapod_repertoire {
 /// a problem and gives an empty text.
 std::string readSource(const std::string& file, Problems& problems);
 
-/// True when the text is fit for a recursive parser: not empty, no binary data, for XML no deeper
-/// than 64 elements. Adds the problem otherwise; `kind` is "URDF" or "YAML".
+/// True when the text is fit for a recursive parser: not empty, no binary data, at most
+/// 64 levels deep. Adds the problem otherwise; `kind` is "URDF" or "YAML".
 bool isReadable(const std::string& text, const std::string& source, const std::string& kind,
                 Problems& problems);
 

@@ -1,5 +1,6 @@
 #include "robot/problems.h"
 
+#include <algorithm>
 #include <locale>
 #include <sstream>
 #include <stdexcept>
@@ -7,7 +8,10 @@
 namespace hexapod_repertoire {
 
 void Problems::add(const std::string& source, const std::string& sentence) {
-  sentences_.push_back(source + ": " + sentence);
+  const std::string whole = source + ": " + sentence;
+  if (std::find(sentences_.begin(), sentences_.end(), whole) == sentences_.end()) {
+    sentences_.push_back(whole);
+  }
 }
 
 void Problems::throwIfAny() const {

@@ -8,7 +8,7 @@ namespace hexapod_repertoire {
 /// The sentences about everything that is wrong with a robot's files, so that all are told at once.
 class Problems {
  public:
-  /// One sentence; `source` is the file it is about.
+  /// One sentence; `source` is the file it is about. The same sentence is kept once.
   void add(const std::string& source, const std::string& sentence);
 
   bool none() const { return sentences_.empty(); }

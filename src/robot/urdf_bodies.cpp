@@ -26,13 +26,13 @@ class ConsoleCapture : public console_bridge::OutputHandler {
   ConsoleCapture& operator=(const ConsoleCapture&) = delete;
 
   void log(const std::string& text, console_bridge::LogLevel, const char*, int) override {
-    messages_ += (messages_.empty() ? "" : " / ") + text;
+    messages_.push_back(text);
   }
-  const std::string& messages() const { return messages_; }
+  const std::vector<std::string>& messages() const { return messages_; }
 
  private:
   console_bridge::LogLevel previous_level_;
-  std::string messages_;
+  std::vector<std::string> messages_;
 };
 
 // The mass of one link in the frame of its body.
@@ -177,21 +177,25 @@ class Lumper {
 }  // namespace
 
 urdf::ModelInterfaceSharedPtr parseUrdf(const std::string& text, const std::string& source,
-                                             Problems& problems) {
+                                        Problems& problems) {
   if (!isReadable(text, source, "URDF", problems)) return nullptr;
   urdf::ModelInterfaceSharedPtr model;
-  std::string reason;
+  std::vector<std::string> errors;
   {
     const ConsoleCapture console;
     try {
       model = urdf::parseURDF(text);
     } catch (const std::exception& error) {
-      reason = error.what();
+      errors.emplace_back(error.what());
     }
-    if (!console.messages().empty()) reason = console.messages();
+    errors.insert(errors.end(), console.messages().begin(), console.messages().end());
   }
-  if (!model) problems.add(source, "this is not a usable URDF: " + reason);
-  return model;
+  if (!model && errors.empty()) errors.emplace_back("it has no robot element.");
+  for (const std::string& error : errors) {
+    problems.add(source, "this is not a usable URDF: " + error);
+  }
+  // urdfdom only logs a link it could not read whole, and returns the robot without that part.
+  return errors.empty() ? model : nullptr;
 }
 
 Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {

@@ -16,7 +16,7 @@ namespace hexapod_repertoire {
 /// Null when there is a problem. Not to be called from two threads at once: urdfdom's console is
 /// global.
 urdf::ModelInterfaceSharedPtr parseUrdf(const std::string& text, const std::string& source,
-                                             Problems& problems);
+                                        Problems& problems);
 
 Eigen::Isometry3d toIsometry(const urdf::Pose& pose);
 

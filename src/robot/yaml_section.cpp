@@ -55,7 +55,7 @@ std::string YamlSection::text(const std::string& key) {
 double YamlSection::number(const std::string& key, double min, double max,
                            const std::string& unit) {
   const std::string expected = "a number from " + numberText(min) + " to " + numberText(max) +
-                               (unit.empty() ? "" : " " + unit);
+                               (unit.empty() ? "" : " [" + unit + "]");
   const YAML::Node node = find(key, expected);
   if (!node) return min;
   double value = 0.0;
