@@ -11,20 +11,21 @@ namespace hexapod_repertoire {
 
 /// What an entry did when it was executed after random predecessors (validation).
 struct Execution {
-  Pose2 mean;               ///< mean end pose over the trials that did not fall (circular mean of yaw)
+  Pose2 mean;  ///< mean end pose over the trials that did not fall (circular mean of yaw)
   double spread_m = 0.0;    ///< root mean square distance of the end positions from the mean
   double spread_rad = 0.0;  ///< root mean square difference of the headings from the mean
   int trials = 0;
-  int falls = 0;            ///< trials that ended in anything but kWalked
+  int falls = 0;  ///< trials that ended in anything but kWalked
 };
 
 /// One controller of the repertoire: a genome and where it leads.
 struct Entry {
-  std::int64_t id = 0;  ///< unique in its repertoire, stable over swaps' lifetime: a swap gets a new id
+  std::int64_t id =
+      0;  ///< unique in its repertoire, stable over swaps' lifetime: a swap gets a new id
   Genome genome;
   Pose2 end_pose;  ///< as learned, in the start base_footprint
   double orientation_error_rad = 0.0;
-  std::int64_t evaluation = 0;  ///< number of the candidate that gave this entry, from 1
+  std::int64_t evaluation = 0;         ///< number of the candidate that gave this entry, from 1
   std::optional<Execution> execution;  ///< empty until validated
 
   /// The pose a planner should expect: executed mean if validated, else as learned.

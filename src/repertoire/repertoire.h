@@ -13,7 +13,7 @@ namespace hexapod_repertoire {
 struct HistoryRow {
   std::int64_t evaluations = 0;
   std::int64_t archive_size = 0;
-  double sparseness_m = 0.0;
+  double sparseness_m = 0.0;  ///< 0 while the archive is empty, as the next two
   double median_orientation_error_rad = 0.0;
   double max_reach_m = 0.0;
   double elapsed_s = 0.0;
@@ -26,8 +26,10 @@ struct Repertoire {
   std::uint64_t seed = 0;
   std::int64_t generation = 0;
   std::int64_t evaluations = 0;
-  double behavior_duration_s = 0.0;  ///< of every entry, return to neutral included
+  double behavior_duration_s = 0.0;            ///< of every entry, return to neutral included
+  std::vector<std::string> joint_names;        ///< those a genome moves, in the robot's joint order
   std::map<std::string, std::string> options;  ///< every option of the run, by name, as text
+  std::map<std::string, std::string> facts;    ///< what else is known of it, by name, as text
   std::vector<Entry> entries;
   std::vector<HistoryRow> history;
 };

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <set>
+#include <unordered_set>
+#include <vector>
+
+#include "repertoire/entry.h"
+#include "repertoire/point_index.h"
+
+namespace hexapod_repertoire {
+
+/// What became of a candidate.
+enum class AddStatus {
+  kAdded,    ///< it was new: one entry more
+  kSwapped,  ///< it was better than the entry nearest to it and took its place
+  kRejected  ///< neither, or its genome is in the archive already
+};
+
+struct OfferResult {
+  AddStatus status = AddStatus::kRejected;
+  std::optional<Entry> displaced;  ///< the entry that had to leave; only when kSwapped
+};
+
+/// The unstructured archive of BR-Evolution (Cully & Mouret 2013, section 3 and Algorithm 1): the
+/// entries found so far, looked up by where they end.
+///
+/// It never shrinks; a swap never worsens an orientation error; ids and genomes are unique in it.
+/// Nearest means by distance between end positions as learned, headings play no part; of equally
+/// near entries the one with the lower id. Answers do not depend on the order of the entries.
+/// Const functions may be called from any thread.
+class Archive {
+ public:
+  Archive() = default;
+  /// Throws std::invalid_argument naming the entry when a pose is not finite, an orientation error
+  /// not finite or negative, or an id or genome occurs twice.
+  explicit Archive(const std::vector<Entry>& entries);
+
+  /// Algorithm 1: adds the candidate when its novelty is above the threshold; otherwise swaps it
+  /// with its nearest entry when its orientation error is smaller. Never both: an offer that adds
+  /// leaves the entry nearest to it alone, because their ends are apart. An empty archive has
+  /// nothing to swap with. Throws std::invalid_argument as the constructor does, genome excepted.
+  OfferResult offer(const Entry& candidate, double novelty_m, double novelty_threshold_m);
+
+  const std::vector<Entry>& entries() const { return entries_; }
+  std::size_t size() const { return entries_.size(); }
+  bool contains(const Genome& genome) const { return genomes_.count(genome) > 0; }
+
+  /// The `count` entries nearest to a position, or all when there are fewer; slots index entries().
+  std::vector<Neighbour> nearest(double x_m, double y_m, std::size_t count) const {
+    return index_.nearest(x_m, y_m, count);
+  }
+
+ private:
+  void requireValid(const Entry& entry) const;
+  void add(const Entry& entry);
+  Entry replace(std::size_t slot, const Entry& entry);
+
+  std::vector<Entry> entries_;
+  PointIndex index_;
+  std::unordered_set<std::int64_t> ids_;
+  std::set<Genome> genomes_;
+};
+
+}  // namespace hexapod_repertoire

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+namespace hexapod_repertoire {
+
+/// Exclusive claim on a file between processes (and within one), for as long as this lives.
+///
+/// Kept in `<file>.lock`, which holds a line that names the owner and goes with it; when the owner
+/// is killed the system frees the claim and the left-over lock file is in nobody's way.
+class FileLock {
+ public:
+  /// Throws std::runtime_error naming the owner when the file is taken, or why there can be no
+  /// lock.
+  explicit FileLock(const std::string& file);
+  ~FileLock();
+  FileLock(const FileLock&) = delete;
+  FileLock& operator=(const FileLock&) = delete;
+
+ private:
+  bool isCurrent() const;
+  void writeNote() const;
+
+  std::string lock_file_;
+  int descriptor_ = -1;
+};
+
+}  // namespace hexapod_repertoire

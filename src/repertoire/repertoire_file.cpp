@@ -1,0 +1,284 @@
+#include <sqlite3.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "repertoire/number_text.h"
+#include "repertoire/repertoire_rows.h"
+#include "repertoire/sqlite.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+namespace fs = std::filesystem;
+using Meta = std::map<std::string, std::string>;
+
+/// A sentence about the content; loadStoredRepertoire() puts the name of the file in front.
+[[noreturn]] void fail(const std::string& expected, const std::string& found) {
+  throw std::invalid_argument("expected " + expected + ", found " + found);
+}
+
+void requireSqliteFile(const fs::path& path) {
+  std::error_code error;
+  if (!fs::exists(path, error)) fail("a repertoire that a learner has written", "no such file");
+  if (!fs::is_regular_file(path, error)) fail("an ordinary file", "a folder or a device");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail("a readable file", "one that this user may not open");
+  const std::string magic("SQLite format 3\0", 16);
+  std::array<char, 16> start{};
+  file.read(start.data(), start.size());
+  if (file.gcount() == 0) fail("an SQLite database", "an empty file");
+  if (std::string(start.data(), static_cast<std::size_t>(file.gcount())) != magic) {
+    fail("an SQLite database", "a file of another kind");
+  }
+}
+
+/// Why SQLite calls a file malformed: most often it lost its end.
+std::string describeDamage(const fs::path& path, const std::string& complaint) {
+  std::array<unsigned char, 32> header{};
+  std::ifstream file(path, std::ios::binary);
+  if (!file.read(reinterpret_cast<char*>(header.data()), header.size())) return complaint;
+  std::uint64_t page_size = header[16] * 256U + header[17];
+  if (page_size == 1) page_size = 65536;
+  std::uint64_t pages = 0;
+  for (int i = 28; i < 32; ++i) pages = pages * 256U + header[static_cast<std::size_t>(i)];
+  std::error_code error;
+  const auto size = static_cast<std::uint64_t>(fs::file_size(path, error));
+  if (error || size >= page_size * pages) return complaint;
+  return std::to_string(size) + " of " + std::to_string(page_size * pages) +
+         " bytes: the file was cut short";
+}
+
+/// Opens for reading. A killed writer's half-done transaction must be undone first, which takes a
+/// connection that may write.
+std::unique_ptr<SqliteDatabase> openDatabase(const std::string& file) {
+  auto database = std::make_unique<SqliteDatabase>(file, SqliteDatabase::Mode::kRead);
+  try {
+    database->integer("PRAGMA schema_version");
+  } catch (const SqliteError& error) {
+    const int code = error.code();
+    if (code != SQLITE_READONLY_ROLLBACK && code != SQLITE_CANTOPEN) throw;
+    database = std::make_unique<SqliteDatabase>(file, SqliteDatabase::Mode::kWrite);
+  }
+  return database;
+}
+
+void requireOurFormat(SqliteDatabase& database) {
+  const std::int64_t application = database.integer("PRAGMA application_id");
+  if (application != kApplicationId) {
+    fail("a repertoire (application id " + std::to_string(kApplicationId) + ")",
+         "another program's database (application id " + std::to_string(application) + ")");
+  }
+  const std::int64_t version = database.integer("PRAGMA user_version");
+  if (version != kFormatVersion) {
+    fail("format version " + std::to_string(kFormatVersion), "version " + std::to_string(version));
+  }
+  // A view of that name could go on for ever.
+  for (const std::string table : {"entries", "meta", "history", "state"}) {
+    if (database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = '" +
+                         table + "'") != 1) {
+      fail("a table " + table, "none");
+    }
+  }
+}
+
+void requireCount(SqliteDatabase& database, const std::string& table) {
+  const std::int64_t rows = database.integer("SELECT count(*) FROM " + table);
+  if (rows > kMaxEntries) {
+    fail("at most " + std::to_string(kMaxEntries) + " rows in the table " + table,
+         std::to_string(rows));
+  }
+}
+
+/// The rows of a table (key, value), in which values are texts or blobs.
+Meta readPairs(SqliteDatabase& database, const std::string& table) {
+  requireCount(database, table);
+  Meta pairs;
+  SqliteStatement rows(database, "SELECT key, value FROM " + table);
+  while (rows.step()) {
+    if (!rows.isText(0) || !(rows.isText(1) || rows.isBlob(1))) {
+      fail("texts in the table " + table, "another type");
+    }
+    pairs[rows.bytes(0)] = rows.bytes(1);
+  }
+  return pairs;
+}
+
+std::string metaText(const Meta& meta, const std::string& key) {
+  const auto found = meta.find(key);
+  if (found == meta.end()) fail("a row '" + key + "' in the table meta", "none");
+  return found->second;
+}
+
+template <typename Number>
+Number metaNumber(const Meta& meta, const std::string& key,
+                  std::optional<Number> (*read)(const std::string&)) {
+  const std::string text = metaText(meta, key);
+  const std::optional<Number> number = read(text);
+  if (!number) fail("a number as '" + key + "' in the table meta", "'" + text + "'");
+  return *number;
+}
+
+std::map<std::string, std::string> withPrefix(const Meta& meta, const std::string& prefix) {
+  std::map<std::string, std::string> found;
+  for (const auto& [key, value] : meta) {
+    if (key.compare(0, prefix.size(), prefix) == 0) found[key.substr(prefix.size())] = value;
+  }
+  return found;
+}
+
+std::vector<std::string> splitAtCommas(const std::string& text) {
+  std::vector<std::string> parts;
+  if (text.empty()) return parts;
+  std::size_t begin = 0;
+  for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1) {
+    comma = text.find(',', begin);
+    parts.push_back(text.substr(begin, comma - begin));
+  }
+  return parts;
+}
+
+double realAt(const SqliteStatement& row, int column, const std::string& name) {
+  if (!row.isReal(column))
+    fail("a number in column " + std::to_string(column) + " of " + name, "another type");
+  return row.real(column);
+}
+
+std::int64_t integerAt(const SqliteStatement& row, int column, const std::string& name) {
+  if (!row.isInteger(column)) {
+    fail("an integer in column " + std::to_string(column) + " of " + name, "another type");
+  }
+  return row.integer(column);
+}
+
+std::optional<Execution> executionAt(const SqliteStatement& row, const std::string& name) {
+  const std::int64_t trials = integerAt(row, 12, name);
+  const std::int64_t falls = integerAt(row, 13, name);
+  if (row.isNull(7)) return std::nullopt;
+  if (trials > kMaxEntries || falls > kMaxEntries || trials < 0 || falls < 0) {
+    fail("a sensible number of trials of " + name, std::to_string(trials));
+  }
+  return Execution{{realAt(row, 7, name), realAt(row, 8, name), realAt(row, 9, name)},
+                   realAt(row, 10, name),
+                   realAt(row, 11, name),
+                   static_cast<int>(trials),
+                   static_cast<int>(falls)};
+}
+
+Entry entryAt(const SqliteStatement& row, std::size_t gene_count) {
+  Entry entry;
+  entry.id = integerAt(row, 0, "an entry");
+  const std::string name = "entry " + std::to_string(entry.id);
+  try {
+    entry.genome = genomeFromString(row.bytes(1), gene_count);
+  } catch (const std::invalid_argument& error) {
+    fail("a genome of " + std::to_string(gene_count) + " digits 0-4 in " + name,
+         "'" + row.bytes(1).substr(0, 100) + "' (" + error.what() + ")");
+  }
+  entry.end_pose = {realAt(row, 2, name), realAt(row, 3, name), realAt(row, 4, name)};
+  entry.orientation_error_rad = realAt(row, 5, name);
+  entry.evaluation = integerAt(row, 6, name);
+  entry.execution = executionAt(row, name);
+  const std::string problem = problemOf(entry, gene_count);
+  if (!problem.empty()) fail("usable entries", name + ", which " + problem);
+  return entry;
+}
+
+std::vector<Entry> readEntries(SqliteDatabase& database, std::size_t gene_count) {
+  requireCount(database, "entries");
+  std::vector<Entry> entries;
+  std::set<std::int64_t> ids;
+  std::set<Genome> genomes;
+  SqliteStatement rows(database,
+                       std::string("SELECT ") + kEntryColumns + " FROM entries ORDER BY id");
+  while (rows.step()) {
+    entries.push_back(entryAt(rows, gene_count));
+    const Entry& entry = entries.back();
+    const std::string name = "entry " + std::to_string(entry.id);
+    if (!ids.insert(entry.id).second) fail("every id once", name + " twice");
+    if (!genomes.insert(entry.genome).second) {
+      fail("every genome once", toString(entry.genome) + " again in " + name);
+    }
+  }
+  return entries;
+}
+
+std::vector<HistoryRow> readHistory(SqliteDatabase& database) {
+  requireCount(database, "history");
+  std::vector<HistoryRow> history;
+  SqliteStatement rows(database,
+                       std::string("SELECT ") + kHistoryColumns + " FROM history ORDER BY rowid");
+  const std::string name = "the table history";
+  while (rows.step()) {
+    history.push_back({integerAt(rows, 0, name), integerAt(rows, 1, name), realAt(rows, 2, name),
+                       realAt(rows, 3, name), realAt(rows, 4, name), realAt(rows, 5, name)});
+  }
+  return history;
+}
+
+void requireDigest(const Meta& meta, const std::string& key, const std::string& content,
+                   const std::string& digest) {
+  const std::string stored = metaText(meta, key);
+  if (stored != digest) {
+    fail(content + " with the digest " + stored, digest + ": the file was damaged or edited");
+  }
+}
+
+StoredRepertoire read(SqliteDatabase& database) {
+  const SqliteTransaction transaction(database, SqliteTransaction::Kind::kRead);
+  requireOurFormat(database);
+  const Meta meta = readPairs(database, "meta");
+  const std::int64_t genes = metaNumber(meta, "gene_count", integerFromText);
+  if (genes < 0 || genes > kMaxGenes) {
+    fail("genomes of up to " + std::to_string(kMaxGenes) + " genes", std::to_string(genes));
+  }
+  StoredRepertoire stored;
+  stored.learner_state = readPairs(database, "state");
+  Repertoire& repertoire = stored.repertoire;
+  repertoire.history = readHistory(database);
+  repertoire.entries = readEntries(database, static_cast<std::size_t>(genes));
+  requireDigest(meta, "digest", "entries", digestOf(repertoire.entries));
+  requireDigest(meta, kFileDigestKey, "meta, history and state",
+                digestOf(meta, repertoire.history, stored.learner_state));
+  repertoire.run_id = metaText(meta, "run_id");
+  repertoire.robot_id = metaText(meta, "robot_id");
+  repertoire.seed = metaNumber(meta, "seed", unsignedFromText);
+  repertoire.generation = metaNumber(meta, "generation", integerFromText);
+  repertoire.evaluations = metaNumber(meta, "evaluations", integerFromText);
+  repertoire.behavior_duration_s = metaNumber(meta, "behavior_duration_s", doubleFromText);
+  repertoire.joint_names = splitAtCommas(metaText(meta, "joint_names"));
+  repertoire.options = withPrefix(meta, kOptionPrefix);
+  repertoire.facts = withPrefix(meta, kFactPrefix);
+  return stored;
+}
+
+}  // namespace
+
+StoredRepertoire loadStoredRepertoire(const std::string& file) {
+  const std::string name = "The repertoire file '" + file + "' cannot be used: ";
+  try {
+    if (file.empty()) fail("the name of a file", "an empty text");
+    const std::string path = fs::absolute(file).string();
+    requireSqliteFile(path);
+    return read(*openDatabase(path));
+  } catch (const SqliteError& error) {
+    throw std::runtime_error(name + "expected an intact repertoire, found " +
+                             describeDamage(file, error.what()) +
+                             ". Restore a copy, or learn it again.");
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(name + error.what() + ".");
+  }
+}
+
+Repertoire loadRepertoire(const std::string& file) { return loadStoredRepertoire(file).repertoire; }
+
+LearnerState loadLearnerState(const std::string& file) {
+  return loadStoredRepertoire(file).learner_state;
+}
+
+}  // namespace hexapod_repertoire

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "repertoire/repertoire.h"
+
+namespace hexapod_repertoire {
+
+/// The hand-over between learning and walking: one SQLite 3 database per repertoire.
+///
+/// PRAGMA application_id = kApplicationId, user_version = kFormatVersion; tables
+///   entries  one row per entry; genome as digits 0-4; the executed_ and spread_ columns are NULL
+///            until the entry was validated
+///   meta     key and value as text: seed, run_id, robot_id, generation, evaluations,
+///            behavior_duration_s, joint_names (comma separated), gene_count, format_version,
+///            package_version, option.<name>, fact.<name>; digest over the entries and file_digest
+///            over the rest
+///   history  one row per checkpoint
+///   state    key and value: what the learner needs to go on, opaque here
+/// A checkpoint is one transaction, so a killed process leaves the previous one.
+constexpr int kApplicationId = 0x48585250;  // "HXRP"
+constexpr int kFormatVersion = 1;
+
+/// What a learner keeps beside the repertoire in order to go on: texts by name.
+using LearnerState = std::map<std::string, std::string>;
+
+struct StoredRepertoire {
+  Repertoire repertoire;
+  LearnerState learner_state;  ///< empty when none was saved
+};
+
+/// Reads a repertoire file; entries come in the order of their ids. Creates and changes nothing,
+/// except that SQLite undoes what a killed writer left half done. May be called while a learner
+/// writes the file. Throws std::runtime_error with a sentence naming the file, what was expected
+/// and what was found when it is missing, empty, cut short, damaged, another program's, of another
+/// format version, or holds illegal genes, poses that are not finite, duplicate ids or genomes,
+/// more entries than kMaxEntries, or contents that do not match their digests.
+StoredRepertoire loadStoredRepertoire(const std::string& file);
+
+/// The repertoire of loadStoredRepertoire().
+Repertoire loadRepertoire(const std::string& file);
+
+/// The learner state of loadStoredRepertoire().
+LearnerState loadLearnerState(const std::string& file);
+
+/// 16 hexadecimal digits over the entries, whatever their order.
+std::string digestOf(const std::vector<Entry>& entries);
+
+constexpr std::int64_t kMaxEntries = 1000000;
+constexpr std::int64_t kMaxGenes = 10000;
+
+}  // namespace hexapod_repertoire

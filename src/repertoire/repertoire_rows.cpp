@@ -1,0 +1,98 @@
+#include "repertoire/repertoire_rows.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "repertoire/digest.h"
+#include "repertoire/number_text.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+void add(const Pose2& pose, Digest& digest) {
+  for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) digest.add(value);
+}
+
+void add(const Entry& entry, Digest& digest) {
+  digest.add(entry.id);
+  digest.add(std::string(entry.genome.begin(), entry.genome.end()));
+  add(entry.end_pose, digest);
+  digest.add(entry.orientation_error_rad);
+  digest.add(entry.evaluation);
+  digest.add(static_cast<std::int64_t>(entry.execution.has_value()));
+  if (!entry.execution) return;
+  add(entry.execution->mean, digest);
+  digest.add(entry.execution->spread_m);
+  digest.add(entry.execution->spread_rad);
+  digest.add(static_cast<std::int64_t>(entry.execution->trials));
+  digest.add(static_cast<std::int64_t>(entry.execution->falls));
+}
+
+bool isSpread(double value) { return std::isfinite(value) && value >= 0.0; }
+
+std::string problemOf(const Execution& execution) {
+  if (!isFinite(execution.mean)) return "has an executed pose that is not finite";
+  if (!isSpread(execution.spread_m) || !isSpread(execution.spread_rad)) {
+    return "has a spread that is negative or not finite";
+  }
+  if (execution.trials < 0 || execution.falls < 0 || execution.falls > execution.trials) {
+    return "has " + std::to_string(execution.falls) + " falls in " +
+           std::to_string(execution.trials) + " trials";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string digestOf(const std::vector<Entry>& entries) {
+  std::vector<const Entry*> order;
+  order.reserve(entries.size());
+  for (const Entry& entry : entries) order.push_back(&entry);
+  std::sort(order.begin(), order.end(),
+            [](const Entry* a, const Entry* b) { return a->id < b->id; });
+  Digest digest;
+  for (const Entry* entry : order) add(*entry, digest);
+  return digest.text();
+}
+
+std::string digestOf(const std::map<std::string, std::string>& meta,
+                     const std::vector<HistoryRow>& history, const LearnerState& state) {
+  Digest digest;
+  for (const auto& [key, value] : meta) {
+    if (key == kFileDigestKey) continue;
+    digest.add(key);
+    digest.add(value);
+  }
+  for (const HistoryRow& row : history) {
+    digest.add(row.evaluations);
+    digest.add(row.archive_size);
+    for (const double value :
+         {row.sparseness_m, row.median_orientation_error_rad, row.max_reach_m, row.elapsed_s}) {
+      digest.add(value);
+    }
+  }
+  for (const auto& [key, value] : state) {
+    digest.add(key);
+    digest.add(value);
+  }
+  return digest.text();
+}
+
+std::string problemOf(const Entry& entry, std::size_t gene_count) {
+  if (entry.genome.size() != gene_count) {
+    return "has " + std::to_string(entry.genome.size()) + " genes where the others have " +
+           std::to_string(gene_count);
+  }
+  for (const std::uint8_t level : entry.genome) {
+    if (level >= kGeneLevels) {
+      return "has a gene of level " + std::to_string(level) + " where 0 to 4 exist";
+    }
+  }
+  if (!isFinite(entry.end_pose)) return "has an end pose that is not finite";
+  if (!isSpread(entry.orientation_error_rad)) {
+    return "has an orientation error of " + toText(entry.orientation_error_rad) + " rad";
+  }
+  return entry.execution ? problemOf(*entry.execution) : "";
+}
+
+}  // namespace hexapod_repertoire

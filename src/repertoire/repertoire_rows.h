@@ -1,0 +1,34 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "repertoire/repertoire_file.h"
+
+namespace hexapod_repertoire {
+
+/// What reader and writer of the repertoire file must agree on, beside its format.
+
+/// Columns of the table entries in the order in which they are written and read.
+constexpr const char* kEntryColumns =
+    "id, genome, x_m, y_m, yaw_rad, orientation_error_rad, evaluation, executed_x_m, executed_y_m, "
+    "executed_yaw_rad, spread_m, spread_rad, trials, falls";
+
+/// Columns of the table history, likewise.
+constexpr const char* kHistoryColumns =
+    "evaluations, archive_size, sparseness_m, median_orientation_error_rad, max_reach_m, elapsed_s";
+
+/// Key of the digest over everything that digestOf(entries) does not cover.
+constexpr const char* kFileDigestKey = "file_digest";
+constexpr const char* kOptionPrefix = "option.";
+constexpr const char* kFactPrefix = "fact.";
+
+/// Digest over all rows of meta but kFileDigestKey, of history and of state.
+std::string digestOf(const std::map<std::string, std::string>& meta,
+                     const std::vector<HistoryRow>& history, const LearnerState& state);
+
+/// What is wrong with an entry: "" or "has ...". Shared, so that what is saved can be loaded.
+std::string problemOf(const Entry& entry, std::size_t gene_count);
+
+}  // namespace hexapod_repertoire

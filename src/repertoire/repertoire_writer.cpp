@@ -1,0 +1,229 @@
+#include "repertoire/repertoire_writer.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "repertoire/number_text.h"
+#include "repertoire/repertoire_rows.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kTables =
+    "CREATE TABLE IF NOT EXISTS entries("
+    "id INTEGER PRIMARY KEY, genome TEXT NOT NULL UNIQUE, x_m REAL NOT NULL, y_m REAL NOT NULL, "
+    "yaw_rad REAL NOT NULL, orientation_error_rad REAL NOT NULL, evaluation INTEGER NOT NULL, "
+    "executed_x_m REAL, executed_y_m REAL, executed_yaw_rad REAL, spread_m REAL, spread_rad REAL, "
+    "trials INTEGER NOT NULL, falls INTEGER NOT NULL);"
+    "CREATE TABLE IF NOT EXISTS meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
+    "CREATE TABLE IF NOT EXISTS history("
+    "evaluations INTEGER NOT NULL, archive_size INTEGER NOT NULL, sparseness_m REAL NOT NULL, "
+    "median_orientation_error_rad REAL NOT NULL, max_reach_m REAL NOT NULL, "
+    "elapsed_s REAL NOT NULL);"
+    "CREATE TABLE IF NOT EXISTS state(key TEXT PRIMARY KEY, value BLOB NOT NULL);"
+    "DELETE FROM entries; DELETE FROM meta; DELETE FROM history; DELETE FROM state;";
+
+std::size_t geneCount(const Repertoire& repertoire) {
+  return repertoire.entries.empty() ? 0 : repertoire.entries.front().genome.size();
+}
+
+void requireSavable(const Repertoire& repertoire) {
+  std::set<std::int64_t> ids;
+  std::set<Genome> genomes;
+  for (const Entry& entry : repertoire.entries) {
+    std::string problem = problemOf(entry, geneCount(repertoire));
+    if (problem.empty() && !ids.insert(entry.id).second) problem = "occurs twice";
+    if (problem.empty() && !genomes.insert(entry.genome).second) {
+      problem = "has the genome " + toString(entry.genome) + " of another entry";
+    }
+    if (problem.empty()) continue;
+    throw std::invalid_argument("The repertoire cannot be saved: entry " +
+                                std::to_string(entry.id) + " " + problem + ".");
+  }
+}
+
+std::map<std::string, std::string> metaOf(const Repertoire& repertoire,
+                                          const LearnerState& learner_state) {
+  std::string joint_names;
+  for (const std::string& name : repertoire.joint_names) {
+    joint_names += (joint_names.empty() ? "" : ",") + name;
+  }
+  std::map<std::string, std::string> meta{
+      {"format_version", std::to_string(kFormatVersion)},
+      {"package_version", PACKAGE_VERSION},
+      {"run_id", repertoire.run_id},
+      {"robot_id", repertoire.robot_id},
+      {"seed", std::to_string(repertoire.seed)},
+      {"generation", std::to_string(repertoire.generation)},
+      {"evaluations", std::to_string(repertoire.evaluations)},
+      {"behavior_duration_s", toText(repertoire.behavior_duration_s)},
+      {"joint_names", joint_names},
+      {"gene_count", std::to_string(geneCount(repertoire))},
+      {"digest", digestOf(repertoire.entries)},
+  };
+  for (const auto& [name, value] : repertoire.options) meta[kOptionPrefix + name] = value;
+  for (const auto& [name, value] : repertoire.facts) meta[kFactPrefix + name] = value;
+  meta[kFileDigestKey] = digestOf(meta, repertoire.history, learner_state);
+  return meta;
+}
+
+void bindExecution(const Entry& entry, SqliteStatement& insert) {
+  if (!entry.execution) {
+    for (int parameter = 8; parameter <= 12; ++parameter) insert.bindNull(parameter);
+    for (int parameter = 13; parameter <= 14; ++parameter) insert.bind(parameter, std::int64_t{0});
+    return;
+  }
+  const Execution& execution = *entry.execution;
+  insert.bind(8, execution.mean.x_m);
+  insert.bind(9, execution.mean.y_m);
+  insert.bind(10, execution.mean.yaw_rad);
+  insert.bind(11, execution.spread_m);
+  insert.bind(12, execution.spread_rad);
+  insert.bind(13, static_cast<std::int64_t>(execution.trials));
+  insert.bind(14, static_cast<std::int64_t>(execution.falls));
+}
+
+void insertEntries(const std::vector<Entry>& entries, SqliteDatabase& database) {
+  SqliteStatement insert(database, std::string("INSERT INTO entries(") + kEntryColumns +
+                                       ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+  for (const Entry& entry : entries) {
+    insert.bind(1, entry.id);
+    insert.bind(2, toString(entry.genome));
+    insert.bind(3, entry.end_pose.x_m);
+    insert.bind(4, entry.end_pose.y_m);
+    insert.bind(5, entry.end_pose.yaw_rad);
+    insert.bind(6, entry.orientation_error_rad);
+    insert.bind(7, entry.evaluation);
+    bindExecution(entry, insert);
+    insert.run();
+  }
+}
+
+void insertHistory(const std::vector<HistoryRow>& history, SqliteDatabase& database) {
+  SqliteStatement insert(
+      database, std::string("INSERT INTO history(") + kHistoryColumns + ") VALUES (?,?,?,?,?,?)");
+  for (const HistoryRow& row : history) {
+    insert.bind(1, row.evaluations);
+    insert.bind(2, row.archive_size);
+    insert.bind(3, row.sparseness_m);
+    insert.bind(4, row.median_orientation_error_rad);
+    insert.bind(5, row.max_reach_m);
+    insert.bind(6, row.elapsed_s);
+    insert.run();
+  }
+}
+
+void insertMeta(const std::map<std::string, std::string>& meta, SqliteDatabase& database) {
+  SqliteStatement insert(database, "INSERT INTO meta(key, value) VALUES (?,?)");
+  for (const auto& [key, value] : meta) {
+    insert.bind(1, key);
+    insert.bind(2, value);
+    insert.run();
+  }
+}
+
+void insertState(const LearnerState& learner_state, SqliteDatabase& database) {
+  SqliteStatement insert(database, "INSERT INTO state(key, value) VALUES (?,?)");
+  for (const auto& [key, value] : learner_state) {
+    insert.bind(1, key);
+    insert.bindBlob(2, value);
+    insert.run();
+  }
+}
+
+/// Throws unless the path can become, or is, a file of ours; creates the folders it lies in.
+void preparePlace(const fs::path& path) {
+  if (path.filename().empty()) {
+    throw std::runtime_error("The repertoire file needs a name, not the folder '" + path.string() +
+                             "'.");
+  }
+  std::error_code error;
+  const fs::file_status status = fs::symlink_status(path, error);
+  if (fs::exists(status) && !fs::is_regular_file(status)) {
+    throw std::runtime_error("The repertoire file " + path.string() +
+                             " is a link, a folder or a device: name an ordinary file.");
+  }
+  fs::create_directories(path.parent_path(), error);
+  if (error) {
+    throw std::runtime_error("The folder " + path.parent_path().string() +
+                             " of the repertoire file cannot be created: " + error.message() + ".");
+  }
+}
+
+/// True when the database is a repertoire, false when it is empty; throws when it is anything else.
+bool isRepertoire(SqliteDatabase& database, const std::string& file) {
+  if (database.integer("PRAGMA page_count") == 0) return false;
+  const std::int64_t application = database.integer("PRAGMA application_id");
+  const std::int64_t version = database.integer("PRAGMA user_version");
+  if (application != kApplicationId) {
+    throw std::runtime_error("The file " + file +
+                             " is another program's SQLite database and is not overwritten: move "
+                             "it away or choose another repertoire file.");
+  }
+  if (version != kFormatVersion) {
+    throw std::runtime_error("The repertoire file " + file + " has format version " +
+                             std::to_string(version) + ", this program writes version " +
+                             std::to_string(kFormatVersion) +
+                             ": move it away or choose another repertoire file.");
+  }
+  return true;
+}
+
+}  // namespace
+
+RepertoireWriter::RepertoireWriter(const std::string& file) {
+  if (file.empty()) throw std::runtime_error("The name of the repertoire file is empty.");
+  file_ = fs::absolute(file).string();
+  open();
+}
+
+void RepertoireWriter::open() {
+  preparePlace(file_);
+  database_.reset();
+  lock_.reset();
+  lock_ = std::make_unique<FileLock>(file_);
+  try {
+    database_ = std::make_unique<SqliteDatabase>(file_, SqliteDatabase::Mode::kCreate);
+    holds_repertoire_ = isRepertoire(*database_, file_);
+  } catch (const SqliteError& error) {
+    throw std::runtime_error("The file " + file_ +
+                             " cannot be used as repertoire file: " + error.what() +
+                             ". It is left as it is; choose another file or move it away.");
+  }
+}
+
+void RepertoireWriter::save(const Repertoire& repertoire, const LearnerState& learner_state) {
+  requireSavable(repertoire);
+  if (!database_ || database_->hasMoved()) open();
+  try {
+    write(repertoire, learner_state);
+  } catch (const SqliteError& error) {
+    throw std::runtime_error("The repertoire file " + file_ + " cannot be written: " +
+                             error.what() + ". It keeps what was saved before.");
+  }
+  holds_repertoire_ = true;
+}
+
+void RepertoireWriter::write(const Repertoire& repertoire, const LearnerState& learner_state) {
+  SqliteTransaction transaction(*database_, SqliteTransaction::Kind::kWrite);
+  database_->execute("PRAGMA application_id = " + std::to_string(kApplicationId));
+  database_->execute("PRAGMA user_version = " + std::to_string(kFormatVersion));
+  database_->execute(kTables);
+  insertEntries(repertoire.entries, *database_);
+  insertMeta(metaOf(repertoire, learner_state), *database_);
+  insertHistory(repertoire.history, *database_);
+  insertState(learner_state, *database_);
+  transaction.commit();
+}
+
+void saveRepertoire(const std::string& file, const Repertoire& repertoire,
+                    const LearnerState& learner_state) {
+  RepertoireWriter(file).save(repertoire, learner_state);
+}
+
+}  // namespace hexapod_repertoire
