@@ -1,11 +1,18 @@
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
 #include "gait/genome.h"
 #include "gait/outcome.h"
 
 namespace hexapod_repertoire {
+
+/// Thrown by an evaluator that was told to give up a batch.
+class EvaluationCancelled : public std::runtime_error {
+ public:
+  EvaluationCancelled() : std::runtime_error("The evaluation was cancelled.") {}
+};
 
 /// Tells what genomes do. All that evolution knows of the task.
 class Evaluator {

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "evolution/evaluator.h"
+#include "evolution/evolution_options.h"
+#include "evolution/individual.h"
+#include "repertoire/archive.h"
+
+namespace hexapod_repertoire {
+
+/// BR-Evolution: Algorithm 1 of Cully & Mouret (2013), one generation per step.
+///
+/// Novelty search with local competition on NSGA-II, whose archive is the result: individuals whose
+/// end is new enter it, and those that end better aligned than the entry nearest to them are
+/// swapped with it. Where the paper is silent or contradicts itself:
+/// - Genomes are canonical from the start, so equal gaits are one genome. Mutation draws each gene
+///   anew, with probability mutation_rate, uniformly among all five levels, its own included.
+/// - A generation looks at parents and children together, as NSGA-II selects among both; parents
+///   keep their outcome. What counts as a neighbour and as better: see Neighbourhood.
+/// - The archive changes within the loop, so that later individuals meet it as changed. An offer
+///   adds or swaps, never both, and a genome is never in the archive twice (see Archive).
+/// - "Swapped" is meant: the entry that leaves takes the individual's place in the population, with
+///   objectives of its own.
+/// - Individuals that fell, collided or diverged never enter the archive and get the worst
+///   objectives; an outcome that is not finite counts as diverged.
+/// - Genotypic diversity decides where crowding does in NSGA-II: in the truncation of the last
+///   front and in the binary tournament.
+///
+/// Same options, evaluator and generator, same archive. Not thread-safe.
+class BrEvolution {
+ public:
+  /// A new run. Throws std::invalid_argument naming an option that is out of range, or gene_count
+  /// 0. The evaluator must outlive the evolution.
+  BrEvolution(const EvolutionOptions& options, std::size_t gene_count, Evaluator& evaluator,
+              const Random& random);
+
+  /// Goes on from state() of another evolution with the same options and evaluator.
+  /// Throws std::invalid_argument as above, or when the state does not fit.
+  BrEvolution(const EvolutionOptions& options, std::size_t gene_count, Evaluator& evaluator,
+              const EvolutionState& state);
+
+  /// One generation: evaluates as many candidates as the population has, or `most_candidates` (>=
+  /// 1) if that is fewer, so that a budget of evaluations can be met exactly. The first generation
+  /// is the random initial population and counts like any other. When the evaluator throws, so does
+  /// this, and nothing has changed.
+  void step(std::int64_t most_candidates = std::numeric_limits<std::int64_t>::max());
+
+  const Archive& archive() const { return archive_; }
+  const std::vector<Individual>& population() const { return population_; }
+  const EvolutionCounters& counters() const { return counters_; }
+  EvolutionState state() const;
+
+ private:
+  Genome randomGenome(Random& random) const;
+  Genome mutated(const Genome& parent, Random& random) const;
+  std::vector<Genome> nextGenomes(std::size_t count, Random& random) const;
+  std::vector<Individual> born(const std::vector<Genome>& genomes,
+                               const std::vector<Outcome>& outcomes);
+  std::vector<Objectives> offerToArchive(std::vector<Individual>& pool);
+  std::vector<Individual> selected(const std::vector<Individual>& pool,
+                                   const std::vector<Objectives>& objectives) const;
+
+  EvolutionOptions options_;
+  std::size_t gene_count_;
+  Evaluator* evaluator_;
+  Random random_;
+  std::int64_t next_id_ = 1;
+  EvolutionCounters counters_;
+  std::vector<Individual> population_;
+  Archive archive_;
+};
+
+}  // namespace hexapod_repertoire

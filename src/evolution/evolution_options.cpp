@@ -1,0 +1,51 @@
+#include "evolution/evolution_options.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace hexapod_repertoire {
+namespace {
+
+bool withinRange(const Option& option) {
+  if (const auto* integer = std::get_if<std::int64_t*>(&option.target)) {
+    const auto value = static_cast<double>(**integer);
+    return value >= option.min && value <= option.max;
+  }
+  if (const auto* number = std::get_if<double*>(&option.target)) {
+    return **number >= option.min && **number <= option.max;
+  }
+  if (const auto* text = std::get_if<std::string*>(&option.target)) {
+    return std::count(option.choices.begin(), option.choices.end(), **text) > 0;
+  }
+  return true;
+}
+
+}  // namespace
+
+std::vector<Option> declareOptions(EvolutionOptions& options) {
+  return {
+      option("population_size", options.population_size,
+             "Individuals in the population, and candidates evaluated per generation.", 1, 100000),
+      option("neighbours", options.neighbours,
+             "Nearest individuals that novelty and local competition look at.", 1, 10000),
+      option("novelty_threshold_m", options.novelty_threshold_m, "m",
+             "Mean distance to the neighbours above which an end point enters the archive.", 0.0,
+             10.0),
+      option("mutation_rate", options.mutation_rate, "",
+             "Probability that a gene of a child is drawn anew.", 0.0, 1.0),
+      option("diversity", options.diversity,
+             "What keeps the individuals of one front apart: their genotypes or their objectives.",
+             {"genotypic", "crowding"}),
+  };
+}
+
+void requireValid(const EvolutionOptions& options) {
+  EvolutionOptions copy = options;
+  for (const Option& option : declareOptions(copy)) {
+    if (withinRange(option)) continue;
+    throw std::invalid_argument("The option " + option.name + " is " + option.text() +
+                                ": expected " + option.range() + ".");
+  }
+}
+
+}  // namespace hexapod_repertoire

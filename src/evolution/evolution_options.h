@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "common/options.h"
+
+namespace hexapod_repertoire {
+
+/// Parameters of BR-Evolution; the defaults are the paper's (Cully & Mouret 2013, appendix A).
+struct EvolutionOptions {
+  std::int64_t population_size = 100;   ///< parents, and children of one generation, >= 1
+  std::int64_t neighbours = 15;         ///< |neigh(i)| of eq. 1, >= 1
+  double novelty_threshold_m = 0.10;    ///< rho in the paper [m]; more novel ends enter the archive
+  double mutation_rate = 0.10;          ///< probability that a gene is drawn anew, 0 .. 1
+  std::string diversity = "genotypic";  ///< inside a front: genotypic (the paper) | crowding
+};
+
+/// The options with name, unit, range and meaning, bound to `options`.
+std::vector<Option> declareOptions(EvolutionOptions& options);
+
+/// Throws std::invalid_argument naming key, value and allowed range of the first that is out of it.
+void requireValid(const EvolutionOptions& options);
+
+}  // namespace hexapod_repertoire

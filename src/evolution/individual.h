@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/random.h"
+#include "evolution/nsga2.h"
+#include "gait/genome.h"
+#include "gait/outcome.h"
+#include "repertoire/entry.h"
+
+namespace hexapod_repertoire {
+
+/// A candidate that was evaluated.
+struct Individual {
+  std::int64_t id = 0;          ///< unique within the run; its entry in the archive has the same
+  std::int64_t evaluation = 0;  ///< its number among the candidates of the run, from 1
+  Genome genome;                ///< canonical
+  Outcome outcome;
+  Standing standing;  ///< among the parents and children it was last selected from
+};
+
+/// What has happened in a run so far.
+struct EvolutionCounters {
+  std::int64_t generations = 0;
+  std::int64_t evaluations = 0;  ///< candidates, those of the initial population included
+  std::int64_t fell = 0;
+  std::int64_t self_collided = 0;
+  std::int64_t diverged = 0;
+  std::int64_t added = 0;
+  std::int64_t swapped = 0;
+};
+
+/// Everything a run needs to go on exactly as if it had never stopped.
+struct EvolutionState {
+  Random random{0};
+  std::int64_t next_id = 1;
+  EvolutionCounters counters;
+  std::vector<Individual> population;  ///< empty before the first generation
+  std::vector<Entry> archive;
+};
+
+}  // namespace hexapod_repertoire

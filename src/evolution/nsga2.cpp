@@ -1,0 +1,99 @@
+#include "evolution/nsga2.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace hexapod_repertoire {
+namespace {
+
+/// Indices 0 .. count - 1 sorted by `less`, equals by index.
+template <typename Less>
+std::vector<std::size_t> sortedIndices(std::size_t count, Less less) {
+  std::vector<std::size_t> order(count);
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), less);
+  return order;
+}
+
+}  // namespace
+
+bool dominates(const Objectives& a, const Objectives& b) {
+  return a[0] >= b[0] && a[1] >= b[1] && (a[0] > b[0] || a[1] > b[1]);
+}
+
+std::vector<Front> nonDominatedFronts(const std::vector<Objectives>& objectives) {
+  // In this order nothing is dominated by what comes later, and the last member of a front is its
+  // best in the second objective: it alone tells whether the front dominates a newcomer.
+  const auto order = sortedIndices(objectives.size(), [&](std::size_t a, std::size_t b) {
+    return objectives[a] > objectives[b];
+  });
+  std::vector<Front> fronts;
+  for (const std::size_t i : order) {
+    const auto home = std::partition_point(fronts.begin(), fronts.end(), [&](const Front& front) {
+      return dominates(objectives[front.back()], objectives[i]);
+    });
+    if (home == fronts.end()) {
+      fronts.push_back({i});
+    } else {
+      home->push_back(i);
+    }
+  }
+  for (Front& front : fronts) std::sort(front.begin(), front.end());
+  return fronts;
+}
+
+std::vector<double> crowdingDistances(const std::vector<Objectives>& objectives,
+                                      const Front& front) {
+  std::vector<double> distances(front.size(), 0.0);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const auto value = [&](std::size_t member) { return objectives[front[member]][axis]; };
+    const auto order = sortedIndices(
+        front.size(), [&](std::size_t a, std::size_t b) { return value(a) < value(b); });
+    if (order.empty()) continue;
+    const double range = value(order.back()) - value(order.front());
+    if (!(range > 0.0)) continue;
+    distances[order.front()] = std::numeric_limits<double>::infinity();
+    distances[order.back()] = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 1; k + 1 < order.size(); ++k) {
+      const double gap = (value(order[k + 1]) - value(order[k - 1])) / range;
+      if (std::isfinite(gap)) distances[order[k]] += gap;
+    }
+  }
+  return distances;
+}
+
+std::vector<double> genotypicDiversities(const std::vector<Genome>& genomes, const Front& front) {
+  if (front.size() < 2) return std::vector<double>(front.size(), 0.0);
+  // A member differs in a gene from all members but those with its level: counting levels once
+  // replaces comparing all pairs.
+  std::vector<std::array<std::size_t, kGeneLevels>> counts(genomes[front.front()].size());
+  for (auto& count : counts) count.fill(0);
+  for (const std::size_t i : front) {
+    for (std::size_t gene = 0; gene < counts.size(); ++gene) ++counts[gene][genomes[i][gene]];
+  }
+  std::vector<double> diversities;
+  diversities.reserve(front.size());
+  for (const std::size_t i : front) {
+    std::size_t differences = 0;
+    for (std::size_t gene = 0; gene < counts.size(); ++gene) {
+      differences += front.size() - counts[gene][genomes[i][gene]];
+    }
+    diversities.push_back(static_cast<double>(differences) / static_cast<double>(front.size() - 1));
+  }
+  return diversities;
+}
+
+bool isBetter(const Standing& a, const Standing& b) {
+  if (a.rank != b.rank) return a.rank < b.rank;
+  return a.diversity > b.diversity;
+}
+
+std::size_t tournament(const std::vector<Standing>& standings, Random& random) {
+  const auto first = static_cast<std::size_t>(random.below(standings.size()));
+  const auto second = static_cast<std::size_t>(random.below(standings.size()));
+  return isBetter(standings[second], standings[first]) ? second : first;
+}
+
+}  // namespace hexapod_repertoire
