@@ -1,0 +1,75 @@
+#include "gait/genome.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "gait/gait.h"
+#include "made_robot.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+TEST(Genome, LevelsAreQuarters) {
+  EXPECT_EQ(geneValue(0), 0.0);
+  EXPECT_EQ(geneValue(3), 0.75);
+  EXPECT_EQ(geneValue(4), 1.0);
+}
+
+TEST(Genome, TextRoundTrips) {
+  EXPECT_EQ(toString(Genome{0, 1, 2, 3, 4, 0, 0, 4}), "01234004");
+  Random random(1);
+  for (int i = 0; i < 100; ++i) {
+    const Genome genome = randomGenome(24, random);
+    EXPECT_EQ(genomeFromString(toString(genome), 24), genome);
+  }
+  EXPECT_EQ(genomeFromString("", 0), Genome{});
+}
+
+TEST(Genome, TextThatIsNoGenomeIsRefusedWithPositionOrCount) {
+  const auto said = [](const std::string& digits) {
+    return complaintOf([&] { genomeFromString(digits, 8); });
+  };
+  EXPECT_NE(said("0123400").find("7 characters; expected 8"), std::string::npos);
+  EXPECT_NE(said("012340044").find("9 characters; expected 8"), std::string::npos);
+  EXPECT_NE(said("01254004").find("Gene 3"), std::string::npos);
+  EXPECT_NE(said("0123 004").find("Gene 4"), std::string::npos);
+  EXPECT_NE(said("0123400\xff").find("Gene 7"), std::string::npos);
+  EXPECT_NE(said("-1234004").find("Gene 0"), std::string::npos);
+}
+
+TEST(Genome, CanonicalDropsWholePeriodsAndPhasesOfSilence) {
+  EXPECT_EQ(canonical(Genome{1, 4, 2, 3}), (Genome{1, 0, 2, 3}));
+  EXPECT_EQ(canonical(Genome{0, 3, 0, 4}), (Genome{0, 0, 0, 0}));
+  EXPECT_EQ(canonical(Genome{4, 1, 0, 2}), (Genome{4, 1, 0, 0}));
+}
+
+TEST(Genome, CanonicalGenomesAreTheSmallestSetOfDifferentGaits) {
+  // One signal: 4 amplitudes of 4 phases and silence are 17 gaits; a leg has two: 17 * 17.
+  std::set<Genome> genomes;
+  for (std::uint8_t a = 0; a < 5; ++a)
+    for (std::uint8_t b = 0; b < 5; ++b)
+      for (std::uint8_t c = 0; c < 5; ++c)
+        for (std::uint8_t d = 0; d < 5; ++d) genomes.insert(canonical({a, b, c, d}));
+  EXPECT_EQ(genomes.size(), 17u * 17u);
+}
+
+TEST(Genome, CanonicalIsIdempotentAndKeepsTheGait) {
+  const RobotDescription robot = madeRobot(6, 3);
+  Random random(2);
+  std::vector<double> a;
+  std::vector<double> b;
+  for (int i = 0; i < 50; ++i) {
+    const Genome genome = randomGenome(24, random);
+    const Genome same = canonical(genome);
+    EXPECT_EQ(canonical(same), same);
+    for (double t : {0.0, 0.03, 0.5, 1.23, 2.97}) {
+      Gait(robot, genome).angles(t, a);
+      Gait(robot, same).angles(t, b);
+      for (std::size_t j = 0; j < a.size(); ++j) EXPECT_NEAR(a[j], b[j], 1e-12);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hexapod_repertoire
