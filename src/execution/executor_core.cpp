@@ -1,0 +1,240 @@
+#include "execution/executor_core.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hexapod_repertoire {
+namespace {
+
+// Below the resolution of any servo.
+constexpr double kArrived_rad = 1e-9;
+
+constexpr std::int64_t kNoSlot = std::numeric_limits<std::int64_t>::min();
+
+}  // namespace
+
+std::vector<double> sittingPose(const RobotDescription& robot, double signal) {
+  std::vector<double> pose_rad = robot.neutralPose();
+  const std::vector<const Joint*> joints = robot.joints();
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    if (joints[j]->signal != Signal::kSecond) continue;
+    pose_rad[j] = std::clamp(pose_rad[j] + joints[j]->amplitude_rad * signal, joints[j]->lower_rad,
+                             joints[j]->upper_rad);
+  }
+  return pose_rad;
+}
+
+ExecutorCore::ExecutorCore(const RobotDescription& robot, const BehaviorOptions& behavior,
+                           const ExecutorOptions& options)
+    : options_(options),
+      period_s_(behavior.command_period_s),
+      neutral_(robot.neutralPose()),
+      sitting_(sittingPose(robot, options.sit_signal)),
+      gate_(robot, behavior.command_period_s, behavior.limit_velocity),
+      ramp_(robot),
+      target_(neutral_),
+      measured_(neutral_),
+      ticks_off_(neutral_.size(), 0),
+      last_slot_(kNoSlot) {}
+
+Cause ExecutorCore::arm() {
+  if (e_stop_) return judged(Reason::kEStop);
+  if (sendsCommands(status_.mode)) return judged(Reason::kAlreadyArmed);
+  const Cause problem = checkStart();
+  if (!problem.accepted()) return problem;
+  if (closedLoop()) gate_.reset(measured_);
+  std::fill(ticks_off_.begin(), ticks_off_.end(), 0);
+  beginRamp(gate_.last(), neutral_, 0.0);
+  enter(ExecutorMode::kStandingUp, {Reason::kArmRequested});
+  return {};
+}
+
+Cause ExecutorCore::checkStart() const {
+  if (!closedLoop()) return {};
+  if (feedbackIsStale()) return judged(Reason::kNoFeedback);
+  if (options_.far_start == FarStart::kRamp) return {};
+  for (std::size_t j = 0; j < neutral_.size(); ++j) {
+    const double off_rad = std::abs(measured_[j] - neutral_[j]);
+    if (off_rad > options_.start_tolerance_rad) {
+      return judged(Reason::kFarFromNeutral, static_cast<int>(j), off_rad);
+    }
+  }
+  return {};
+}
+
+Cause ExecutorCore::stand() {
+  const bool locked =
+      status_.mode == ExecutorMode::kStopped || status_.mode == ExecutorMode::kFault;
+  return locked ? judged(status_.cause.reason, status_.cause.joint, status_.cause.value_rad)
+                : arm();
+}
+
+Cause ExecutorCore::sit() {
+  if (status_.mode != ExecutorMode::kReady) return judged(Reason::kNotReady);
+  beginRamp(gate_.last(), sitting_, 0.0);
+  enter(ExecutorMode::kHolding, {Reason::kSittingDown});
+  return {};
+}
+
+Cause ExecutorCore::disarm() {
+  if (!sendsCommands(status_.mode)) return {};
+  endBehavior({Reason::kDisarmRequested});
+  enter(ExecutorMode::kDisarmed, {Reason::kDisarmRequested});
+  return {};
+}
+
+Cause ExecutorCore::start(const Behavior& behavior, std::int64_t entry_id) {
+  if (status_.mode != ExecutorMode::kReady) return judged(Reason::kNotReady);
+  if (behavior.commandCount() == 0 || behavior.command(0).size() != neutral_.size()) {
+    return judged(Reason::kBadBehavior);
+  }
+  behavior_ = &behavior;
+  begins_ = true;
+  ++status_.serial;
+  status_.entry_id = entry_id;
+  status_.played = 0;
+  enter(ExecutorMode::kWalking, {Reason::kPlaying});
+  return {};
+}
+
+Cause ExecutorCore::cancel(Reason why) {
+  if (status_.mode != ExecutorMode::kWalking) return judged(Reason::kNothingToCancel);
+  beginRamp(gate_.last(), neutral_, options_.hold_time_s);
+  enter(ExecutorMode::kHolding, {why});
+  return {};
+}
+
+void ExecutorCore::stop(Reason why) {
+  if (status_.mode == ExecutorMode::kStopped) return;
+  endBehavior({why});
+  enter(ExecutorMode::kStopped, {why});
+}
+
+void ExecutorCore::setEStop(bool pressed) {
+  e_stop_ = pressed;
+  if (pressed) stop(Reason::kEStop);
+}
+
+void ExecutorCore::feedback(const std::vector<double>& measured_rad) {
+  std::copy_n(measured_rad.begin(), measured_.size(), measured_.begin());
+  status_.ticks_since_feedback = 0;
+  fresh_feedback_ = true;
+}
+
+const std::vector<double>* ExecutorCore::tick(std::int64_t slot) {
+  if (slot <= last_slot_) return nullptr;
+  passTime(slot);
+  if (!sendsCommands(status_.mode) || !robotFollows()) return nullptr;
+  if (begins_) begin_slot_ = slot;
+  begins_ = false;
+  finishMotion(slot - begin_slot_);
+  if (!sendsCommands(status_.mode)) return nullptr;
+  chooseTarget(slot - begin_slot_);
+  if (gate_.pass(target_) == CommandGate::Passage::kRefused) {
+    endBehavior({Reason::kCommandRefused});
+    enter(ExecutorMode::kFault, {Reason::kCommandRefused});
+    return nullptr;
+  }
+  status_.clamped = gate_.clampedCount();
+  ++status_.commands;
+  sent_slot_ = slot;
+  return &gate_.last();
+}
+
+void ExecutorCore::passTime(std::int64_t slot) {
+  const bool late = last_slot_ != kNoSlot && sendsCommands(status_.mode);
+  if (late) status_.skipped += static_cast<std::uint64_t>(slot - last_slot_ - 1);
+  last_slot_ = slot;
+  // Feedback ages by ticks, not by slots: after a stall of the whole process it is as old as
+  // before.
+  if (status_.ticks_since_feedback >= 0) ++status_.ticks_since_feedback;
+}
+
+bool ExecutorCore::feedbackIsStale() const {
+  // Feedback that came since the tick before counts as new.
+  const double silent_s = static_cast<double>(status_.ticks_since_feedback - 1) * period_s_;
+  return status_.ticks_since_feedback < 0 || silent_s > options_.feedback_timeout_s;
+}
+
+bool ExecutorCore::robotFollows() {
+  if (!closedLoop()) return true;
+  Cause problem = fresh_feedback_ ? checkTracking() : Cause();
+  fresh_feedback_ = false;
+  if (feedbackIsStale()) problem = {Reason::kFeedbackLost};
+  if (problem.accepted()) return true;
+  endBehavior(problem);
+  enter(ExecutorMode::kFault, problem);
+  return false;
+}
+
+Cause ExecutorCore::checkTracking() {
+  Cause problem;
+  if (options_.max_tracking_error_rad <= 0.0) return problem;
+  for (std::size_t j = 0; j < neutral_.size(); ++j) {
+    const double off_rad = std::abs(measured_[j] - gate_.last()[j]);
+    const bool off = off_rad > options_.max_tracking_error_rad;
+    ticks_off_[j] = std::max<std::int64_t>(0, ticks_off_[j] + (off ? 1 : -1));
+    if (static_cast<double>(ticks_off_[j]) * period_s_ <= options_.tracking_timeout_s) continue;
+    problem = judged(Reason::kNotFollowing, static_cast<int>(j), off_rad);
+  }
+  return problem;
+}
+
+void ExecutorCore::finishMotion(std::int64_t index) {
+  const bool walking = status_.mode == ExecutorMode::kWalking;
+  if (walking) status_.played = index;
+  if (status_.mode == ExecutorMode::kReady) return;
+  const std::int64_t length =
+      walking ? static_cast<std::int64_t>(behavior_->commandCount()) : ramp_.length() + 1;
+  // A late loop or a behaviour without a way back may still have to reach its end.
+  if (index < length || !arrivedAt(walking ? neutral_ : ramp_.goal())) return;
+  if (status_.cause.reason == Reason::kSittingDown) {
+    enter(ExecutorMode::kDisarmed, {Reason::kSatDown});
+    return;
+  }
+  const Cause why = walking ? Cause{Reason::kFinished} : status_.cause;
+  endBehavior(why);
+  enter(ExecutorMode::kReady, {Reason::kNeutral});
+}
+
+void ExecutorCore::chooseTarget(std::int64_t index) {
+  if (status_.mode == ExecutorMode::kStandingUp || status_.mode == ExecutorMode::kHolding) {
+    ramp_.pose(index, target_);
+    return;
+  }
+  const bool playing = status_.mode == ExecutorMode::kWalking &&
+                       index < static_cast<std::int64_t>(behavior_->commandCount());
+  const std::vector<double>& source =
+      playing ? behavior_->command(static_cast<std::size_t>(index)) : neutral_;
+  std::copy_n(source.begin(), target_.size(), target_.begin());
+}
+
+bool ExecutorCore::arrivedAt(const std::vector<double>& pose_rad) const {
+  return std::equal(pose_rad.begin(), pose_rad.end(), gate_.last().begin(),
+                    [](double goal, double sent) { return std::abs(goal - sent) <= kArrived_rad; });
+}
+
+Cause ExecutorCore::judged(Reason reason, int joint, double value_rad) const {
+  return {reason, status_.mode, joint, value_rad};
+}
+
+void ExecutorCore::enter(ExecutorMode mode, Cause cause) {
+  status_.mode = mode;
+  status_.cause = cause;
+}
+
+void ExecutorCore::beginRamp(const std::vector<double>& from, const std::vector<double>& to,
+                             double hold_s) {
+  ramp_.plan(from, to, hold_s, options_.ramp_time_s, period_s_);
+  begins_ = true;
+}
+
+void ExecutorCore::endBehavior(Cause cause) {
+  if (status_.last_end.serial == status_.serial) return;
+  status_.last_end = {status_.serial, cause, sent_slot_};
+  status_.entry_id = -1;
+  behavior_ = nullptr;
+}
+
+}  // namespace hexapod_repertoire

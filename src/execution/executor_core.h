@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "execution/command_gate.h"
+#include "execution/executor_options.h"
+#include "execution/executor_status.h"
+#include "execution/ramp.h"
+#include "gait/behavior.h"
+#include "gait/behavior_options.h"
+
+namespace hexapod_repertoire {
+
+/// Decides what is sent in each command period, from arming to the last command.
+///
+/// Time is the number of the command period ("slot"), given to tick(). Slots left out between two
+/// ticks are commands skipped: the behaviour goes on where the timeline is, there is never a burst.
+/// Everything sent has passed the CommandGate. Nothing is sent while DISARMED, STOPPED or in FAULT,
+/// and only arm() leaves the last two. What is played is a Behavior, command by command, the object
+/// the learner evaluates: command k goes out in slot (slot of command 0) + k.
+///
+/// Used by one thread at a time. No function but the constructor allocates, locks or waits.
+class ExecutorCore {
+ public:
+  ExecutorCore(const RobotDescription& robot, const BehaviorOptions& behavior,
+               const ExecutorOptions& options);
+
+  /// Requests. Each returns Reason::kNone when it was carried out, else why not; the mode then
+  /// stays as it was.
+  /// @{
+
+  /// Stands up: a ramp from the measured pose (open loop: from the last command, at first from the
+  /// neutral pose) to the neutral pose, then READY. The only way out of STOPPED and FAULT.
+  Cause arm();
+  /// arm() from DISARMED; refused when STOPPED or in FAULT.
+  Cause stand();
+  /// From READY: a ramp to the sitting pose, then DISARMED.
+  Cause sit();
+  /// Nothing more is sent, in any mode but STOPPED and FAULT, which stay.
+  Cause disarm();
+  /// From READY: plays the behaviour, beginning with the next tick. It must live until
+  /// status().last_end.serial is status().serial.
+  Cause start(const Behavior& behavior, std::int64_t entry_id);
+  /// Breaks the behaviour off: HOLDING, then a ramp to the neutral pose, then READY.
+  Cause cancel(Reason why);
+  /// @}
+
+  /// Nothing more is sent from this moment on until arm(), whatever the mode was.
+  void stop(Reason why);
+  /// Pressed stops; released does not re-arm, but while pressed arm() is refused.
+  void setEStop(bool pressed);
+
+  /// Measured joint angles [rad] in joint order, finite, one per joint.
+  void feedback(const std::vector<double>& measured_rad);
+
+  /// The command [rad] of this slot, in joint order, or nullptr when nothing is to be sent. Slots
+  /// must grow; a slot that does not is answered with nullptr.
+  const std::vector<double>* tick(std::int64_t slot);
+
+  const ExecutorStatus& status() const { return status_; }
+
+ private:
+  bool closedLoop() const { return options_.feedback_timeout_s > 0.0; }
+  Cause judged(Reason reason, int joint = -1, double value_rad = 0.0) const;
+  Cause checkStart() const;
+  void enter(ExecutorMode mode, Cause cause);
+  void beginRamp(const std::vector<double>& from, const std::vector<double>& to, double hold_s);
+  void endBehavior(Cause cause);
+  void passTime(std::int64_t slot);
+  bool feedbackIsStale() const;
+  bool robotFollows();
+  Cause checkTracking();
+  void finishMotion(std::int64_t index);
+  void chooseTarget(std::int64_t index);
+  bool arrivedAt(const std::vector<double>& pose_rad) const;
+
+  ExecutorOptions options_;
+  double period_s_;
+  std::vector<double> neutral_;
+  std::vector<double> sitting_;
+  CommandGate gate_;
+  Ramp ramp_;
+  std::vector<double> target_;
+  std::vector<double> measured_;
+  std::vector<std::int64_t> ticks_off_;  // per joint: ticks off its command less those on it
+  bool fresh_feedback_ = false;
+  bool e_stop_ = false;
+  const Behavior* behavior_ = nullptr;
+  bool begins_ = false;  // the motion's first slot is the next tick
+  std::int64_t begin_slot_ = 0;
+  std::int64_t last_slot_;
+  std::int64_t sent_slot_ = 0;
+  ExecutorStatus status_;
+};
+
+/// The neutral pose with every joint of the second control signal moved by amplitude * signal,
+/// within its limits: both outer joints of a leg fold and the tibia stays upright.
+std::vector<double> sittingPose(const RobotDescription& robot, double signal);
+
+}  // namespace hexapod_repertoire

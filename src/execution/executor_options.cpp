@@ -1,0 +1,35 @@
+#include "execution/executor_options.h"
+
+namespace hexapod_repertoire {
+
+std::vector<Option> declareOptions(ExecutorOptions& options) {
+  return {
+      option("feedback_timeout_s", options.feedback_timeout_s, "s",
+             "Longest silence of joint_states before the executor faults; 0: open loop.", 0.0,
+             60.0),
+      option("start_tolerance_rad", options.start_tolerance_rad, "rad",
+             "Distance of a joint from its neutral angle up to which arming is no far start.", 0.0,
+             6.3),
+      option("far_start", options.far_start,
+             "Arming further off: ramp slowly to the neutral pose, or refuse.",
+             {FarStart::kRamp, FarStart::kRefuse}),
+      option("ramp_time_s", options.ramp_time_s, "s",
+             "Shortest ramp to or from the neutral pose; longer where a joint's velocity limit "
+             "asks for it.",
+             0.1, 60.0),
+      option("hold_time_s", options.hold_time_s, "s",
+             "How long the last command is held when a behaviour is broken off.", 0.0, 10.0),
+      option("max_tracking_error_rad", options.max_tracking_error_rad, "rad",
+             "Distance between command and measured angle above which a joint does not follow; 0: "
+             "not watched.",
+             0.0, 6.3),
+      option("tracking_timeout_s", options.tracking_timeout_s, "s",
+             "How long a joint may be that far off before the executor faults; time within the "
+             "tolerance counts against it, since gaits pass through where a stuck joint is.",
+             0.0, 60.0),
+      option("sit_signal", options.sit_signal, "",
+             "Second control signal (gamma of eq. 3) of every leg in the sitting pose.", -1.0, 1.0),
+  };
+}
+
+}  // namespace hexapod_repertoire

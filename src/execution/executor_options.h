@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/options.h"
+
+namespace hexapod_repertoire {
+
+/// What arming does when the robot is far from the neutral pose: choices of the option far_start.
+struct FarStart {
+  static constexpr const char* kRamp = "ramp";
+  static constexpr const char* kRefuse = "refuse";
+};
+
+/// How the executor stands up, watches the robot and breaks off.
+struct ExecutorOptions {
+  double feedback_timeout_s = 0.5;          ///< 0: open loop, joint states are not looked at
+  double start_tolerance_rad = 0.2;         ///< largest distance from neutral that is no far start
+  std::string far_start = FarStart::kRamp;  ///< one of FarStart
+  double ramp_time_s = 2.0;                 ///< shortest ramp to or from the neutral pose
+  double hold_time_s = 0.2;                 ///< last command held when a behaviour is broken off
+  double max_tracking_error_rad = 0.5;      ///< 0: not watched
+  double tracking_timeout_s = 0.5;          ///< how long a joint may be further off
+  double sit_signal = 1.0;  ///< second control signal of the sitting pose, see sittingPose()
+};
+
+/// The options under their names, bound to `options`, which must outlive them.
+std::vector<Option> declareOptions(ExecutorOptions& options);
+
+}  // namespace hexapod_repertoire
