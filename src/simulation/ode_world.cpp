@@ -10,9 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "geometry/pose2.h"
 #include "simulation/kinematics.h"
 #include "simulation/physics.h"
+#include "simulation/standing_state.h"
 
 // ODE lives in this one file: the library's life, a robot built in it, and the world around that.
 
@@ -20,7 +20,6 @@ namespace hexapod_repertoire {
 namespace {
 
 constexpr int kMaxContactsPerPair = 10;
-constexpr std::size_t kValuesPerBody = 13;  // position 3, quaternion 4, velocity 3, rate 3
 
 // ODE ends the process when an error handler returns.
 struct OdeFailure : std::runtime_error {
@@ -80,7 +79,8 @@ class OdeRobot {
     dGeomDestroy(floor_);
     dJointGroupDestroy(contacts_);
     dWorldDestroy(world_);
-    dThreadingFreeImplementation(threading_);
+    // Left over from a failed step, its job list refuses to be freed: that memory is given up.
+    if (!stepping_) dThreadingFreeImplementation(threading_);
   }
 
   OdeRobot(const OdeRobot&) = delete;
@@ -144,7 +144,9 @@ class OdeRobot {
   }
 
   void integrate(double step_s) {
+    stepping_ = true;  // and stays so when ODE throws
     if (!dWorldStep(world_, step_s)) throw OdeFailure();
+    stepping_ = false;
     dJointGroupEmpty(contacts_);
   }
 
@@ -298,6 +300,7 @@ class OdeRobot {
   std::vector<Eigen::Isometry3d> zero_pose_;
   dWorldID world_ = nullptr;
   dThreadingImplementationID threading_ = nullptr;
+  bool stepping_ = false;
   dJointGroupID contacts_ = nullptr;
   dGeomID floor_ = nullptr;
   dSurfaceParameters surface_{};
@@ -312,7 +315,7 @@ OdeWorld::OdeWorld(const RobotDescription& robot, const Physics& physics)
   checkPhysics(physics_);
   build();
   settle();
-  settled_ = footprintAtOrigin(state());
+  settled_ = footprintAtOrigin(worldFromBase(), state(), ode_->bodyCount());
   restart();
 }
 
@@ -323,7 +326,7 @@ void OdeWorld::build() {
 }
 
 void OdeWorld::settle() {
-  restore(standing());
+  restore(standingState(description_));
   const int steps = static_cast<int>(std::lround(kSettlingTime_s / kSettlingStep_s));
   for (int i = 1; i <= steps; ++i) {
     const Verdict verdict = advance(kSettlingStep_s);
@@ -339,61 +342,18 @@ void OdeWorld::settle() {
   }
 }
 
-// The neutral pose, level, at rest, the lowest shape just on the floor.
-WorldState OdeWorld::standing() const {
-  const std::vector<double> neutral = description_.neutralPose();
-  const std::vector<Eigen::Isometry3d> base_from_bodies = baseFromBodies(description_, neutral);
-  const std::vector<const Body*> links = bodies(description_);
-  const Eigen::Isometry3d world_from_base(
-      Eigen::Translation3d(0.0, 0.0, standingHeight(description_)));
-  WorldState state;
-  for (std::size_t b = 0; b < links.size(); ++b) {
-    const Eigen::Isometry3d world_from_body = world_from_base * base_from_bodies[b];
-    const Eigen::Vector3d center = world_from_body * links[b]->center_of_mass_m;
-    const std::array<dReal, 4> q = quaternion(world_from_body);
-    state.values.insert(state.values.end(), {center.x(), center.y(), center.z()});
-    state.values.insert(state.values.end(), q.begin(), q.end());
-    state.values.insert(state.values.end(), 6, 0.0);
-  }
-  state.values.insert(state.values.end(), neutral.begin(), neutral.end());
-  return state;
-}
-
-// Moves everything over the floor so that the present footprint comes to lie at (0, 0), heading 0.
-WorldState OdeWorld::footprintAtOrigin(WorldState state) const {
-  const Eigen::Isometry3d world_from_base = worldFromBase();
-  const Eigen::Quaterniond turn(
-      Eigen::AngleAxisd(-footprint(world_from_base).yaw_rad, Eigen::Vector3d::UnitZ()));
-  const Eigen::Vector3d start(world_from_base.translation().x(), world_from_base.translation().y(),
-                              0.0);
-  for (std::size_t b = 0; b < ode_->bodyCount(); ++b) {
-    double* values = &state.values[b * kValuesPerBody];
-    Eigen::Map<Eigen::Vector3d> position(values);
-    const Eigen::Quaterniond q(values[3], values[4], values[5], values[6]);
-    Eigen::Map<Eigen::Vector3d> velocity(values + 7);
-    Eigen::Map<Eigen::Vector3d> rate(values + 10);
-    const Eigen::Quaterniond turned = (turn * q).normalized();
-    const std::array<double, 4> turned_values{turned.w(), turned.x(), turned.y(), turned.z()};
-    position = (turn * (position - start)).eval();
-    std::copy(turned_values.begin(), turned_values.end(), values + 3);
-    velocity = (turn * velocity).eval();
-    rate = (turn * rate).eval();
-  }
-  return state;
-}
-
 WorldState OdeWorld::state() const {
   WorldState state;
-  state.values.resize(ode_->bodyCount() * kValuesPerBody);
+  state.values.resize(ode_->bodyCount() * kStateValuesPerBody);
   for (std::size_t b = 0; b < ode_->bodyCount(); ++b) {
-    ode_->read(b, &state.values[b * kValuesPerBody]);
+    ode_->read(b, &state.values[b * kStateValuesPerBody]);
   }
   state.values.insert(state.values.end(), targets_rad_.begin(), targets_rad_.end());
   return state;
 }
 
 void OdeWorld::restore(const WorldState& state) {
-  const std::size_t of_bodies = ode_->bodyCount() * kValuesPerBody;
+  const std::size_t of_bodies = ode_->bodyCount() * kStateValuesPerBody;
   const std::size_t expected = of_bodies + description_.jointCount();
   if (state.values.size() != expected) {
     throw std::invalid_argument("A state of robot '" + description_.name + "' in ODE has " +
@@ -402,7 +362,7 @@ void OdeWorld::restore(const WorldState& state) {
                                 "; restore only states of the same engine and robot.");
   }
   for (std::size_t b = 0; b < ode_->bodyCount(); ++b) {
-    ode_->write(b, &state.values[b * kValuesPerBody]);
+    ode_->write(b, &state.values[b * kStateValuesPerBody]);
   }
   targets_rad_.assign(state.values.begin() + of_bodies, state.values.end());
   diverged_ = ode_->diverged();

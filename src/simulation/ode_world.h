@@ -14,7 +14,7 @@ class OdeRobot;
 /// motor per joint, feet and legs against a plane.
 ///
 /// The frame of the floor has its origin where the settled robot's footprint is; after restart()
-/// the footprint is at (0, 0) with heading 0 to the rounding of the shift (about 1e-17). A step
+/// the footprint is at (0, 0) with heading 0 to the rounding of the shift (1e-15 at most). A step
 /// first looks at the poses it starts from: a base shape on the floor or the base's origin above
 /// the allowed height is kFell, two legs touching is kSelfCollided (legs pass through each other
 /// and through the base all the same); then it drives the servos, with each hinge's angle as it is,
@@ -55,9 +55,7 @@ class OdeWorld : public World {
  private:
   void build();
   void settle();
-  WorldState standing() const;
   Verdict advance(double step_s);
-  WorldState footprintAtOrigin(WorldState state) const;
 
   RobotDescription description_;
   Physics physics_;

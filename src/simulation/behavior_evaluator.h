@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "evolution/evaluator.h"
+#include "gait/behavior.h"
+#include "simulation/world_pool.h"
+
+namespace hexapod_repertoire {
+
+/// How many behaviours were simulated and how they ended.
+struct SimulationCounts {
+  std::int64_t simulations = 0;
+  std::int64_t fell = 0;
+  std::int64_t self_collided = 0;
+  std::int64_t diverged = 0;
+
+  std::int64_t failures() const { return fell + self_collided + diverged; }
+};
+
+/// Evaluates genomes by playing each one's behaviour once, from the settled stand.
+///
+/// Simulates the canonical() form of every genome, so that equal gaits have equal outcomes. An
+/// outcome depends on its genome alone, whatever the number of threads.
+class BehaviorEvaluator : public Evaluator {
+ public:
+  /// Throws std::invalid_argument when the options do not fit the robot. `cancelled`, if given,
+  /// must outlive the evaluator.
+  BehaviorEvaluator(std::shared_ptr<WorldPool> worlds, const BehaviorOptions& options,
+                    const std::atomic<bool>* cancelled = nullptr);
+
+  /// Throws std::runtime_error naming the genome when one cannot be simulated at all, and
+  /// EvaluationCancelled once `cancelled` turns true, within one simulated behaviour.
+  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override;
+
+  /// Since construction.
+  const SimulationCounts& counts() const { return counts_; }
+
+ private:
+  std::shared_ptr<WorldPool> worlds_;
+  BehaviorOptions options_;
+  const std::atomic<bool>* cancelled_;
+  SimulationCounts counts_;
+};
+
+}  // namespace hexapod_repertoire

@@ -1,0 +1,20 @@
+#pragma once
+
+#include "robot/robot_description.h"
+#include "simulation/world.h"
+
+namespace hexapod_repertoire {
+
+/// States as both engines have them: per body (base, then segments in joint order) the position of
+/// its centre of mass [m], quaternion (w, x, y, z), velocity [m/s] and rate [rad/s]; then the joint
+/// targets [rad].
+constexpr std::size_t kStateValuesPerBody = 13;
+
+/// The neutral pose, level, at rest, the lowest shape just on the floor, targets neutral.
+WorldState standingState(const RobotDescription& robot);
+
+/// The same robot moved over the floor so that its footprint comes to lie at (0, 0), heading 0.
+WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldState state,
+                             std::size_t body_count);
+
+}  // namespace hexapod_repertoire
