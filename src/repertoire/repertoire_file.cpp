@@ -1,15 +1,12 @@
-#include <sqlite3.h>
+#include "repertoire/repertoire_file.h"
 
-#include <array>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <memory>
 #include <set>
 #include <stdexcept>
 
 #include "repertoire/number_text.h"
 #include "repertoire/repertoire_rows.h"
+#include "repertoire/sound_database.h"
 #include "repertoire/sqlite.h"
 
 namespace hexapod_repertoire {
@@ -17,75 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Meta = std::map<std::string, std::string>;
-
-/// A sentence about the content; loadStoredRepertoire() puts the name of the file in front.
-[[noreturn]] void fail(const std::string& expected, const std::string& found) {
-  throw std::invalid_argument("expected " + expected + ", found " + found);
-}
-
-void requireSqliteFile(const fs::path& path) {
-  std::error_code error;
-  if (!fs::exists(path, error)) fail("a repertoire that a learner has written", "no such file");
-  if (!fs::is_regular_file(path, error)) fail("an ordinary file", "a folder or a device");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail("a readable file", "one that this user may not open");
-  const std::string magic("SQLite format 3\0", 16);
-  std::array<char, 16> start{};
-  file.read(start.data(), start.size());
-  if (file.gcount() == 0) fail("an SQLite database", "an empty file");
-  if (std::string(start.data(), static_cast<std::size_t>(file.gcount())) != magic) {
-    fail("an SQLite database", "a file of another kind");
-  }
-}
-
-/// Why SQLite calls a file malformed: most often it lost its end.
-std::string describeDamage(const fs::path& path, const std::string& complaint) {
-  std::array<unsigned char, 32> header{};
-  std::ifstream file(path, std::ios::binary);
-  if (!file.read(reinterpret_cast<char*>(header.data()), header.size())) return complaint;
-  std::uint64_t page_size = header[16] * 256U + header[17];
-  if (page_size == 1) page_size = 65536;
-  std::uint64_t pages = 0;
-  for (int i = 28; i < 32; ++i) pages = pages * 256U + header[static_cast<std::size_t>(i)];
-  std::error_code error;
-  const auto size = static_cast<std::uint64_t>(fs::file_size(path, error));
-  if (error || size >= page_size * pages) return complaint;
-  return std::to_string(size) + " of " + std::to_string(page_size * pages) +
-         " bytes: the file was cut short";
-}
-
-/// Opens for reading. A killed writer's half-done transaction must be undone first, which takes a
-/// connection that may write.
-std::unique_ptr<SqliteDatabase> openDatabase(const std::string& file) {
-  auto database = std::make_unique<SqliteDatabase>(file, SqliteDatabase::Mode::kRead);
-  try {
-    database->integer("PRAGMA schema_version");
-  } catch (const SqliteError& error) {
-    const int code = error.code();
-    if (code != SQLITE_READONLY_ROLLBACK && code != SQLITE_CANTOPEN) throw;
-    database = std::make_unique<SqliteDatabase>(file, SqliteDatabase::Mode::kWrite);
-  }
-  return database;
-}
-
-void requireOurFormat(SqliteDatabase& database) {
-  const std::int64_t application = database.integer("PRAGMA application_id");
-  if (application != kApplicationId) {
-    fail("a repertoire (application id " + std::to_string(kApplicationId) + ")",
-         "another program's database (application id " + std::to_string(application) + ")");
-  }
-  const std::int64_t version = database.integer("PRAGMA user_version");
-  if (version != kFormatVersion) {
-    fail("format version " + std::to_string(kFormatVersion), "version " + std::to_string(version));
-  }
-  // A view of that name could go on for ever.
-  for (const std::string table : {"entries", "meta", "history", "state"}) {
-    if (database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = '" +
-                         table + "'") != 1) {
-      fail("a table " + table, "none");
-    }
-  }
-}
 
 void requireCount(SqliteDatabase& database, const std::string& table) {
   const std::int64_t rows = database.integer("SELECT count(*) FROM " + table);
@@ -229,9 +157,10 @@ void requireDigest(const Meta& meta, const std::string& key, const std::string& 
   }
 }
 
-StoredRepertoire read(SqliteDatabase& database) {
+StoredRepertoire read(SqliteDatabase& database, const std::string& path) {
   const SqliteTransaction transaction(database, SqliteTransaction::Kind::kRead);
   requireOurFormat(database);
+  requireWhole(database, path);
   const Meta meta = readPairs(database, "meta");
   const std::int64_t genes = metaNumber(meta, "gene_count", integerFromText);
   if (genes < 0 || genes > kMaxGenes) {
@@ -265,7 +194,7 @@ StoredRepertoire loadStoredRepertoire(const std::string& file) {
     if (file.empty()) fail("the name of a file", "an empty text");
     const std::string path = fs::absolute(file).string();
     requireSqliteFile(path);
-    return read(*openDatabase(path));
+    return read(*openDatabase(path), path);
   } catch (const SqliteError& error) {
     throw std::runtime_error(name + "expected an intact repertoire, found " +
                              describeDamage(file, error.what()) +

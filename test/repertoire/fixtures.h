@@ -1,0 +1,131 @@
+#pragma once
+
+#include <stdlib.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <locale>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "common/random.h"
+#include "repertoire/repertoire.h"
+
+namespace hexapod_repertoire {
+
+/// A folder of its own that goes with the test.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "repertoire_XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  std::string file(const std::string& name) const { return (path_ / name).string(); }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// Makes the decimal point a comma and groups thousands, as many countries do, for its lifetime.
+class CommaLocale {
+ public:
+  CommaLocale() : previous_(std::locale::global({std::locale::classic(), new Comma})) {}
+  ~CommaLocale() { std::locale::global(previous_); }
+  CommaLocale(const CommaLocale&) = delete;
+  CommaLocale& operator=(const CommaLocale&) = delete;
+
+ private:
+  struct Comma : std::numpunct<char> {
+    char do_decimal_point() const override { return ','; }
+    char do_thousands_sep() const override { return '.'; }
+    std::string do_grouping() const override { return "\3"; }
+  };
+  std::locale previous_;
+};
+
+inline Genome randomGenome(Random& random, std::size_t genes = 24) {
+  Genome genome(genes);
+  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
+  return genome;
+}
+
+/// Entries with ids 1 .. count, distinct genomes, ends within +-half_width_m; every other one
+/// validated.
+inline std::vector<Entry> randomEntries(std::size_t count, Random& random,
+                                        double half_width_m = 0.8) {
+  std::vector<Entry> entries;
+  std::set<Genome> genomes;
+  while (entries.size() < count) {
+    Entry entry;
+    entry.genome = randomGenome(random);
+    if (!genomes.insert(entry.genome).second) continue;
+    entry.id = static_cast<std::int64_t>(entries.size()) + 1;
+    entry.end_pose = {random.uniform(-half_width_m, half_width_m),
+                      random.uniform(-half_width_m, half_width_m), random.uniform(-3.0, 3.0)};
+    entry.orientation_error_rad = random.uniform(0.0, 3.0);
+    entry.evaluation = 10 * entry.id;
+    if (entry.id % 2 == 0) {
+      entry.execution = Execution{{random.uniform(), random.uniform(), random.uniform()},
+                                  random.uniform(),
+                                  random.uniform(),
+                                  8,
+                                  static_cast<int>(random.below(3))};
+    }
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+inline Repertoire sampleRepertoire(std::size_t entries = 40) {
+  Random random(11);
+  Repertoire repertoire;
+  repertoire.run_id = "run-11";
+  repertoire.robot_id = "0123456789abcdef";
+  repertoire.seed = 0xffffffffffffffff;
+  repertoire.generation = 12;
+  repertoire.evaluations = 1200;
+  repertoire.behavior_duration_s = 3.9;
+  repertoire.joint_names = {"body_leg_0", "leg_0_1_2", "leg_0_2_3"};
+  repertoire.options = {{"novelty_threshold_m", "0.1"}, {"seed", "11"}};
+  repertoire.facts = {{"engine", "ode"}};
+  repertoire.entries = randomEntries(entries, random);
+  repertoire.history = {{100, 20, 0.05, 0.4, 0.3, 1.25},
+                        {1200, 40, 0.1 + 0.2, 1.0 / 3.0, 0.7, 9.0}};
+  return repertoire;
+}
+
+inline std::string contentOf(const std::string& file) {
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+inline void writeContent(const std::string& file, const std::string& content) {
+  // Some file systems wait for the disk when a file is overwritten, not when it is new.
+  std::filesystem::remove(file);
+  std::ofstream(file, std::ios::binary) << content;
+}
+
+/// The sentence that a call throws, or "" when it throws none.
+template <typename Call>
+std::string complaintOf(Call call) {
+  try {
+    call();
+  } catch (const std::exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace hexapod_repertoire

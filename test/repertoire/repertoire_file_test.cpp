@@ -1,0 +1,153 @@
+#include "repertoire/repertoire_file.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "fixtures.h"
+#include "repertoire/repertoire_writer.h"
+#include "repertoire/sqlite.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+void expectEqual(const Pose2& a, const Pose2& b) {
+  EXPECT_EQ(a.x_m, b.x_m);
+  EXPECT_EQ(a.y_m, b.y_m);
+  EXPECT_EQ(a.yaw_rad, b.yaw_rad);
+}
+
+void expectEqual(const Entry& a, const Entry& b) {
+  EXPECT_EQ(a.id, b.id);
+  EXPECT_EQ(a.genome, b.genome);
+  expectEqual(a.end_pose, b.end_pose);
+  EXPECT_EQ(a.orientation_error_rad, b.orientation_error_rad);
+  EXPECT_EQ(a.evaluation, b.evaluation);
+  ASSERT_EQ(a.execution.has_value(), b.execution.has_value());
+  if (!a.execution) return;
+  expectEqual(a.execution->mean, b.execution->mean);
+  EXPECT_EQ(a.execution->spread_m, b.execution->spread_m);
+  EXPECT_EQ(a.execution->spread_rad, b.execution->spread_rad);
+  EXPECT_EQ(a.execution->trials, b.execution->trials);
+  EXPECT_EQ(a.execution->falls, b.execution->falls);
+}
+
+void expectEqual(const Repertoire& a, const Repertoire& b) {
+  EXPECT_EQ(a.run_id, b.run_id);
+  EXPECT_EQ(a.robot_id, b.robot_id);
+  EXPECT_EQ(a.seed, b.seed);
+  EXPECT_EQ(a.generation, b.generation);
+  EXPECT_EQ(a.evaluations, b.evaluations);
+  EXPECT_EQ(a.behavior_duration_s, b.behavior_duration_s);
+  EXPECT_EQ(a.joint_names, b.joint_names);
+  EXPECT_EQ(a.options, b.options);
+  EXPECT_EQ(a.facts, b.facts);
+  ASSERT_EQ(a.entries.size(), b.entries.size());
+  for (std::size_t i = 0; i < a.entries.size(); ++i) expectEqual(a.entries[i], b.entries[i]);
+  ASSERT_EQ(a.history.size(), b.history.size());
+  for (std::size_t i = 0; i < a.history.size(); ++i) {
+    EXPECT_EQ(a.history[i].evaluations, b.history[i].evaluations);
+    EXPECT_EQ(a.history[i].archive_size, b.history[i].archive_size);
+    EXPECT_EQ(a.history[i].sparseness_m, b.history[i].sparseness_m);
+    EXPECT_EQ(a.history[i].median_orientation_error_rad, b.history[i].median_orientation_error_rad);
+    EXPECT_EQ(a.history[i].max_reach_m, b.history[i].max_reach_m);
+    EXPECT_EQ(a.history[i].elapsed_s, b.history[i].elapsed_s);
+  }
+}
+
+TEST(RepertoireFile, GivesBackWhatWasSavedToTheLastBit) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.db");
+  const LearnerState state{{"random", "1 2 3"}, {"blob", std::string("a\0b\xff", 4)}, {"none", ""}};
+  saveRepertoire(file, sampleRepertoire(), state);
+  const StoredRepertoire stored = loadStoredRepertoire(file);
+  expectEqual(stored.repertoire, sampleRepertoire());
+  EXPECT_EQ(stored.learner_state, state);
+  EXPECT_EQ(loadLearnerState(file), state);
+  expectEqual(loadRepertoire(file), sampleRepertoire());
+}
+
+TEST(RepertoireFile, AnEmptyRepertoireIsAValidFile) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("a.db"), Repertoire{});
+  expectEqual(loadRepertoire(folder.file("a.db")), Repertoire{});
+}
+
+TEST(RepertoireFile, KeepsTheSignAndSizeOfExtremeNumbers) {
+  const TemporaryFolder folder;
+  Repertoire repertoire = sampleRepertoire(1);
+  repertoire.entries[0].end_pose = {-0.0, 5e-324, -1.7976931348623157e308};
+  repertoire.entries[0].orientation_error_rad = 2.0;
+  saveRepertoire(folder.file("a.db"), repertoire);
+  expectEqual(loadRepertoire(folder.file("a.db")), repertoire);
+}
+
+TEST(RepertoireFile, RowsDoNotDependOnTheOrderOfTheEntriesNorOnTheLocale) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("plain.db"), sampleRepertoire());
+  Repertoire reversed = sampleRepertoire();
+  std::reverse(reversed.entries.begin(), reversed.entries.end());
+  const CommaLocale comma;
+  saveRepertoire(folder.file("other.db"), reversed);
+  expectEqual(loadRepertoire(folder.file("other.db")), sampleRepertoire());
+  SqliteDatabase database(folder.file("plain.db"), SqliteDatabase::Mode::kRead);
+  database.execute("ATTACH '" + folder.file("other.db") + "' AS other");
+  for (const std::string table : {"entries", "meta", "history"}) {
+    EXPECT_EQ(database.integer("SELECT count(*) FROM (SELECT * FROM main." + table +
+                               " EXCEPT SELECT * FROM other." + table + ")"),
+              0)
+        << table;
+  }
+}
+
+TEST(RepertoireFile, CanBeReadWithOrdinaryTools) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("a.db"), sampleRepertoire(3));
+  SqliteDatabase database(folder.file("a.db"), SqliteDatabase::Mode::kRead);
+  EXPECT_EQ(database.integer("PRAGMA application_id"), kApplicationId);
+  EXPECT_EQ(database.integer("PRAGMA user_version"), kFormatVersion);
+  EXPECT_EQ(database.integer("SELECT count(*) FROM entries WHERE length(genome) = 24"), 3);
+  EXPECT_EQ(database.integer("SELECT count(*) FROM entries WHERE executed_x_m IS NULL"), 2);
+  EXPECT_EQ(database.integer("SELECT value FROM meta WHERE key = 'option.seed'"), 11);
+  EXPECT_EQ(database.integer("SELECT count(*) FROM history"), 2);
+}
+
+TEST(RepertoireFile, IsCompleteAloneOnceTheWriterIsGone) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("a.db"), sampleRepertoire());
+  std::vector<std::string> names;
+  for (const auto& file : std::filesystem::directory_iterator(folder.file(""))) {
+    names.push_back(file.path().filename().string());
+  }
+  EXPECT_EQ(names, std::vector<std::string>{"a.db"});
+}
+
+TEST(RepertoireFile, LoadingChangesNothing) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("a.db"), sampleRepertoire());
+  const std::string before = contentOf(folder.file("a.db"));
+  loadRepertoire(folder.file("a.db"));
+  EXPECT_EQ(contentOf(folder.file("a.db")), before);
+}
+
+TEST(RepertoireFile, DigestTellsEveryChangeOfAnEntryButNotTheirOrder) {
+  std::vector<Entry> entries = sampleRepertoire().entries;
+  const std::string digest = digestOf(entries);
+  std::reverse(entries.begin(), entries.end());
+  EXPECT_EQ(digestOf(entries), digest);
+  auto changed = entries;
+  changed[0].genome[5] ^= 1;
+  EXPECT_NE(digestOf(changed), digest);
+  changed = entries;
+  changed[0].end_pose.yaw_rad = std::nextafter(changed[0].end_pose.yaw_rad, 10.0);
+  EXPECT_NE(digestOf(changed), digest);
+  changed = entries;
+  changed[0].execution->falls += 1;
+  EXPECT_NE(digestOf(changed), digest);
+  changed = entries;
+  changed.pop_back();
+  EXPECT_NE(digestOf(changed), digest);
+}
+
+}  // namespace
+}  // namespace hexapod_repertoire
