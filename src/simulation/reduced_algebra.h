@@ -4,8 +4,8 @@
 
 namespace hexapod_repertoire::reduced {
 
-/// Vectors, rotations and symmetric matrices over any Real (double or Lanes). Constants of the robot
-/// are Vec3<double> and mix freely with Vec3<Real>.
+/// Vectors, rotations and symmetric matrices over any Real (double or Lanes). Constants of the
+/// robot are Vec3<double> and mix freely with Vec3<Real>.
 template <typename Real>
 struct Vec3 {
   Real x, y, z;
@@ -47,10 +47,9 @@ struct Quaternion {
 template <typename A, typename B>
 inline auto operator*(const Quaternion<A>& a, const Quaternion<B>& b)
     -> Quaternion<decltype(A() * B())> {
-  return {a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z,
-          a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
-          a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x,
-          a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
+  return {
+      a.w * b.w - a.x * b.x - a.y * b.y - a.z * b.z, a.w * b.x + a.x * b.w + a.y * b.z - a.z * b.y,
+      a.w * b.y - a.x * b.z + a.y * b.w + a.z * b.x, a.w * b.z + a.x * b.y - a.y * b.x + a.z * b.w};
 }
 
 template <typename Real>

@@ -43,34 +43,40 @@ inline Real select(const Mask<Real>& mask, const Real& yes, const Real& no) {
   return mask ? yes : no;
 }
 
-inline bool notMask(bool mask) { return !mask; }
-template <typename MaskType>
-inline MaskType notMask(const MaskType& mask) {
-  return ~mask;
+template <typename Real>
+inline Mask<Real> notMask(const Mask<Real>& mask) {
+  if constexpr (kLanesIn<Real> == 1) {
+    return !mask;
+  } else {
+    return ~mask;
+  }
 }
 
-inline bool any(bool mask) { return mask; }
-template <typename MaskType>
-inline bool any(const MaskType& mask) {
-  auto sum = mask[0];
-  for (unsigned i = 1; i < sizeof(MaskType) / sizeof(sum); ++i) sum |= mask[i];
-  return sum != 0;
+template <typename Real>
+inline bool inLane(const Mask<Real>& mask, int lane) {
+  if constexpr (kLanesIn<Real> == 1) {
+    return mask;
+  } else {
+    return mask[lane] != 0;
+  }
+}
+
+/// True when the mask holds in any lane.
+template <typename Real>
+inline bool any(const Mask<Real>& mask) {
+  if constexpr (kLanesIn<Real> == 1) {
+    return mask;
+  } else {
+    auto sum = mask[0];
+    for (int i = 1; i < kLanesIn<Real>; ++i) sum |= mask[i];
+    return sum != 0;
+  }
 }
 
 inline double lane(double value, int) { return value; }
 template <typename Real>
 inline double lane(const Real& value, int index) {
   return value[index];
-}
-
-inline bool lane(bool mask, int) { return mask; }
-template <typename Real>
-inline bool laneOfMask(const Mask<Real>& mask, int index) {
-  if constexpr (kLanesIn<Real> == 1) {
-    return mask;
-  } else {
-    return mask[index] != 0;
-  }
 }
 
 inline void setLane(double& value, int, double to) { value = to; }

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "simulation/reduced_model.h"
+
+namespace hexapod_repertoire::reduced {
+
+/// The state ODE keeps of a body, too: where its centre of mass is and how it moves, in the world.
+template <typename Real>
+struct BodyState {
+  Vec3<Real> position;        ///< [m]
+  Quaternion<Real> rotation;  ///< world_from_body
+  Vec3<Real> velocity;        ///< [m/s]
+  Vec3<Real> rate;            ///< angular velocity [rad/s]
+};
+
+constexpr int kValuesPerBody = 13;
+
+/// All bodies in maximal coordinates, because the small gaps of the joints are part of the state,
+/// and the servos' targets. Real = Lanes<n>: of n robots.
+template <typename Real>
+struct State {
+  BodyState<Real> base;
+  BodyState<Real> segment[kMaxLegs][kMaxSegments];
+  Real target[kMaxLegs][kMaxSegments];  ///< [rad]
+};
+
+/// Calls use(value) for every number of the state in the order of OdeWorld::state(): per body
+/// (base, then segments in joint order) position, quaternion, velocity, rate; then the targets.
+template <typename Real, typename Use>
+inline void forEachValue(BodyState<Real>& body, const Use& use) {
+  use(body.position.x), use(body.position.y), use(body.position.z);
+  use(body.rotation.w), use(body.rotation.x), use(body.rotation.y), use(body.rotation.z);
+  use(body.velocity.x), use(body.velocity.y), use(body.velocity.z);
+  use(body.rate.x), use(body.rate.y), use(body.rate.z);
+}
+
+template <typename Real, typename Use>
+inline void forEachValue(const ReducedModel& model, State<Real>& state, const Use& use) {
+  forEachValue(state.base, use);
+  for (int leg = 0; leg < model.legs; ++leg) {
+    for (int s = 0; s < model.segments; ++s) forEachValue(state.segment[leg][s], use);
+  }
+  for (int leg = 0; leg < model.legs; ++leg) {
+    for (int s = 0; s < model.segments; ++s) use(state.target[leg][s]);
+  }
+}
+
+}  // namespace hexapod_repertoire::reduced
