@@ -1,0 +1,99 @@
+#include "evolution/evolution_state.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+
+#include "analytic_evaluator.h"
+#include "evolution/br_evolution.h"
+
+namespace hexapod_repertoire {
+namespace {
+
+std::map<std::int64_t, Genome> contentOf(const Archive& archive) {
+  std::map<std::int64_t, Genome> content;
+  for (const Entry& entry : archive.entries()) content[entry.id] = entry.genome;
+  return content;
+}
+
+/// Through text and back, entries in the order in which a file gives them.
+EvolutionState throughText(EvolutionState state) {
+  std::sort(state.archive.begin(), state.archive.end(),
+            [](const Entry& a, const Entry& b) { return a.id < b.id; });
+  return stateFromTexts(toTexts(state), state.archive);
+}
+
+TEST(EvolutionState, ARunStoppedAtAnyGenerationEndsLikeTheUndisturbedOne) {
+  for (const char* diversity : {"genotypic", "crowding"}) {
+    EvolutionOptions options;
+    options.diversity = diversity;
+    AnalyticEvaluator evaluator;
+    BrEvolution undisturbed(options, 24, evaluator, Random(20));
+    for (int generation = 0; generation < 25; ++generation) undisturbed.step();
+    for (const int stop : {0, 1, 2, 13}) {
+      BrEvolution first(options, 24, evaluator, Random(20));
+      for (int generation = 0; generation < stop; ++generation) first.step();
+      BrEvolution second(options, 24, evaluator, throughText(first.state()));
+      for (int generation = stop; generation < 25; ++generation) second.step();
+      EXPECT_EQ(contentOf(second.archive()), contentOf(undisturbed.archive()));
+      EXPECT_EQ(toTexts(second.state()), toTexts(undisturbed.state()));
+    }
+  }
+}
+
+TEST(EvolutionState, ARunStoppedAfterEveryGenerationEndsLikeTheUndisturbedOne) {
+  AnalyticEvaluator evaluator;
+  BrEvolution undisturbed({}, 24, evaluator, Random(21));
+  EvolutionState state = BrEvolution({}, 24, evaluator, Random(21)).state();
+  for (int generation = 0; generation < 25; ++generation) {
+    undisturbed.step();
+    BrEvolution resumed({}, 24, evaluator, throughText(state));
+    resumed.step();
+    state = resumed.state();
+  }
+  EXPECT_EQ(toTexts(state), toTexts(undisturbed.state()));
+}
+
+TEST(EvolutionState, SurvivesInfinityAndTheFallen) {
+  EvolutionState state;
+  Individual individual;
+  individual.genome = {0, 1, 2, 3};
+  individual.outcome = {Verdict::kSelfCollided, {}, 0.0};
+  individual.standing = {3, std::numeric_limits<double>::infinity()};
+  state.population = {individual};
+  const EvolutionState back = throughText(state);
+  ASSERT_EQ(back.population.size(), 1U);
+  EXPECT_EQ(back.population[0].outcome.verdict, Verdict::kSelfCollided);
+  EXPECT_EQ(back.population[0].standing.rank, 3U);
+  EXPECT_EQ(back.population[0].standing.diversity, std::numeric_limits<double>::infinity());
+}
+
+TEST(EvolutionState, RefusesTextsThatAreDamaged) {
+  AnalyticEvaluator evaluator;
+  BrEvolution evolution({}, 24, evaluator, Random(22));
+  evolution.step();
+  const auto good = toTexts(evolution.state());
+  for (const auto& [name, text] : good) {
+    auto missing = good;
+    missing.erase(name);
+    EXPECT_THROW(stateFromTexts(missing, {}), std::invalid_argument) << name;
+    auto garbled = good;
+    garbled[name] = "x" + text;
+    EXPECT_THROW(stateFromTexts(garbled, {}), std::invalid_argument) << name;
+  }
+  auto cut = good;
+  cut["population"].resize(cut["population"].size() - 10);
+  EXPECT_THROW(stateFromTexts(cut, {}), std::invalid_argument);
+}
+
+TEST(EvolutionState, ThatDoesNotFitIsRefused) {
+  AnalyticEvaluator evaluator;
+  BrEvolution evolution({}, 24, evaluator, Random(23));
+  evolution.step();
+  EXPECT_THROW(BrEvolution({}, 12, evaluator, evolution.state()), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace hexapod_repertoire
