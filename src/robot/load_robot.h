@@ -14,6 +14,7 @@ namespace hexapod_repertoire {
 /// YAML, unknown or missing key, wrong type or range, joint not in the URDF, not a hinge, without
 /// limits, not in the chain from base_link, link without mass or with an impossible inertia,
 /// unknown collision shape.
+/// Not to be called from two threads at once (urdfdom's console is global).
 RobotDescription loadRobot(const std::string& urdf_file, const std::string& yaml_file);
 
 /// The same from texts; `urdf_name` and `yaml_name` stand for the files in messages.

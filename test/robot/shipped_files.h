@@ -25,4 +25,18 @@ inline std::string replaced(std::string text, const std::string& from, const std
   return text.replace(at, from.size(), to);
 }
 
+/// Names of the two texts in messages.
+inline const char* const kUrdf = "r.urdf";
+inline const char* const kYaml = "r.yaml";
+
+/// What parseRobot() has to say about the two texts; "" when it accepts them.
+inline std::string complaint(const std::string& urdf, const std::string& yaml) {
+  try {
+    parseRobot(urdf, yaml, kUrdf, kYaml);
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 }  // namespace hexapod_repertoire
