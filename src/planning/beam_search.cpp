@@ -174,12 +174,9 @@ std::vector<BeamSearch::Candidate> BeamSearch::children(const std::vector<Index>
   result.reserve(beam.size() * tables_.representatives.size());
   for (const Index parent : beam) {
     const Node& node = nodes_[parent];
-    const double steps_left = static_cast<double>(options_.max_steps - node.steps - 1);
-    const double reach_m = steps_left * tables_.steps_to_go.reach_m() + problem_.tolerance.xy_m;
     for (const std::size_t index : tables_.representatives) {
       const Move& move = tables_.moves[index];
       const Pose2 remaining = move.remaining(node.remaining);
-      if (std::hypot(remaining.x_m, remaining.y_m) > reach_m) continue;
       const double estimate = tables_.steps_to_go(remaining, problem_.tolerance.anyHeading());
       result.push_back(
           {node.cost + move.cost + estimate, parent, static_cast<Index>(index), remaining});

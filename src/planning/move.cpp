@@ -18,11 +18,9 @@ double blended(double spread, double trials, double prior) {
                    (trials + kPriorTrials));
 }
 
-Move moveOf(const Entry& entry, std::size_t index, const PlannerOptions& options) {
+Move moveOf(const Entry& entry, const PlannerOptions& options, const Deviation& deviation) {
   Move move;
-  move.entry = index;
-  move.end = entry.expectedPose();
-  move.end.yaw_rad = wrapAngle(move.end.yaw_rad);
+  move.end = deviation.apply(entry.expectedPose());
   move.cosine = std::cos(move.end.yaw_rad);
   move.sine = std::sin(move.end.yaw_rad);
   move.length_m = std::hypot(move.end.x_m, move.end.y_m);
@@ -53,12 +51,14 @@ double separation(const Move& a, const Move& b) {
 
 }  // namespace
 
-std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options) {
+std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
+                              const Deviation& deviation) {
   std::vector<Move> result;
   for (std::size_t i = 0; i < repertoire.entries.size(); ++i) {
     const Entry& entry = repertoire.entries[i];
     if (entry.usable() && finiteSpread(entry) && moves(entry)) {
-      result.push_back(moveOf(entry, i, options));
+      result.push_back(moveOf(entry, options, deviation));
+      result.back().entry = i;
     }
   }
   return result;

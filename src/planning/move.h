@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/pose2.h"
+#include "planning/deviation.h"
 #include "planning/planner_options.h"
 #include "repertoire/repertoire.h"
 
@@ -40,7 +41,9 @@ struct Move {
 /// validation, that does not move, or whose pose is not finite.
 /// A validated spread counts as much as its number of trials against two trials of the unvalidated
 /// spread, so that an entry is not trusted after a single lucky trial.
-std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options);
+/// Where they lead is corrected by `deviation`.
+std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
+                              const Deviation& deviation);
 
 /// Indices of at most `count` moves that cover the end poses evenly, best spread first: each next
 /// one is the farthest from those chosen (metres; a radian counts as 0.3 m), discounted by its

@@ -4,9 +4,16 @@ namespace hexapod_repertoire {
 
 Uncertainty Uncertainty::after(const Move& move, double kept) const {
   const double share = kept * kept;
-  const double swing_m2 = heading_rad2 * move.length_m * move.length_m;
-  return {share * (position_m2 + swing_m2) + move.spread_m * move.spread_m,
-          share * heading_rad2 + move.spread_rad * move.spread_rad};
+  // A heading error e moves the end by e * (-y, x).
+  const double swing_x_m = -move.end.y_m;
+  const double swing_y_m = move.end.x_m;
+  const double swung_m2 = heading_rad2 * move.length_m * move.length_m +
+                          2.0 * (x_heading_m * swing_x_m + y_heading_m * swing_y_m);
+  const double x = x_heading_m + heading_rad2 * swing_x_m;
+  const double y = y_heading_m + heading_rad2 * swing_y_m;
+  return {share * (position_m2 + swung_m2) + move.spread_m * move.spread_m,
+          share * heading_rad2 + move.spread_rad * move.spread_rad,
+          share * (move.cosine * x + move.sine * y), share * (move.cosine * y - move.sine * x)};
 }
 
 EndCost::EndCost(const GoalTolerance& tolerance, const PlannerOptions& options)

@@ -4,11 +4,13 @@
 
 namespace hexapod_repertoire {
 
-/// Variances of the pose after a chain of moves: position [m^2, both axes together] and heading
-/// [rad^2].
+/// Covariance of the pose error after a chain of moves, in the frame of its end, to first order. Of
+/// the position only what decides: the variance of both axes together.
 struct Uncertainty {
-  double position_m2 = 0.0;
-  double heading_rad2 = 0.0;
+  double position_m2 = 0.0;   ///< variance of x plus variance of y
+  double heading_rad2 = 0.0;  ///< variance
+  double x_heading_m = 0.0;   ///< covariance of x and heading [m rad]
+  double y_heading_m = 0.0;   ///< covariance of y and heading [m rad]
 
   /// After one more move: its own spread, and what the earlier heading error does over its length.
   /// `kept` is the share of the earlier standard deviation that remains: 1 when walked blindly,

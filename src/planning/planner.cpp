@@ -121,8 +121,9 @@ std::string toString(PlanCode code) {
   return "unknown";
 }
 
-Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options)
-    : options_(checked(options)), tables_(repertoire, options_) {
+Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options,
+                 const Deviation& deviation)
+    : options_(checked(options)), tables_(repertoire, options_, deviation) {
   ids_.reserve(repertoire.entries.size());
   for (const Entry& entry : repertoire.entries) ids_.push_back(entry.id);
 }

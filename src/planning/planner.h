@@ -77,8 +77,10 @@ struct PlanResult {
 class Planner {
  public:
   /// Copies what it needs from the repertoire. Throws std::invalid_argument naming the option when
-  /// one is out of the range that declareOptions() states.
-  Planner(const Repertoire& repertoire, const PlannerOptions& options);
+  /// one is out of the range that declareOptions() states. With a `deviation` the entries are
+  /// expected to lead where it says.
+  Planner(const Repertoire& repertoire, const PlannerOptions& options,
+          const Deviation& deviation = {});
 
   PlanResult plan(const PlanRequest& request) const;
 

@@ -43,8 +43,9 @@ PoseTable tabulatePairs(const std::vector<Move>& moves, std::int64_t max_pairs) 
 
 }  // namespace
 
-PlanningTables::PlanningTables(const Repertoire& repertoire, const PlannerOptions& options)
-    : moves(usableMoves(repertoire, options)),
+PlanningTables::PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
+                               const Deviation& deviation)
+    : moves(usableMoves(repertoire, options, deviation)),
       representatives(chooseRepresentatives(moves)),
       singles(tabulateSingles(moves)),
       pairs(tabulatePairs(moves, options.max_pairs)),

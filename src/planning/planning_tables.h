@@ -10,7 +10,8 @@ namespace hexapod_repertoire {
 
 /// What is computed once per repertoire. Immutable.
 struct PlanningTables {
-  PlanningTables(const Repertoire& repertoire, const PlannerOptions& options);
+  PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
+                 const Deviation& deviation);
 
   std::vector<Move> moves;
   /// Indices of few moves that stand for all: evenly spread ones, and those that reach farthest.

@@ -1,0 +1,100 @@
+#include "planning/walk.h"
+
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+
+namespace hexapod_repertoire {
+namespace {
+
+constexpr double kMetresPerRadian = 0.3;
+// Smaller deviations are the ordinary spread of a behaviour, whatever share of its length they are.
+constexpr double kOrdinaryDeviation_m = 0.06;
+// No entry of a legged robot leads farther in one behaviour; a measured jump beyond it is no walk.
+constexpr double kLargestJump_m = 2.0;
+
+// Size of a displacement [m], a radian counted as kMetresPerRadian.
+double extent(const Pose2& a, const Pose2& b) {
+  return distance(a, b) + kMetresPerRadian * headingDistance(a, b);
+}
+
+std::string poseText(const Pose2& pose) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::fixed << std::setprecision(2) << "(" << pose.x_m << " m, " << pose.y_m << " m, "
+       << std::setprecision(0) << pose.yaw_rad * 180.0 / M_PI << " deg)";
+  return text.str();
+}
+
+}  // namespace
+
+Walk::Walk(std::shared_ptr<const Planner> planner, const Pose2& world_from_goal,
+           const GoalTolerance& tolerance, const WalkOptions& options)
+    : planner_(std::move(planner)),
+      world_from_goal_(world_from_goal),
+      tolerance_(tolerance),
+      options_(options) {}
+
+std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, WalkState& state) {
+  if (!expected_) return std::nullopt;
+  const double moved = distance(before_, world_from_robot);
+  const double deviation = extent(expected_->world_from_end, world_from_robot);
+  if (moved > kLargestJump_m) {
+    state = WalkState::kPoseLost;
+    return "The measured pose jumped from " + poseText(before_) + " to " +
+           poseText(world_from_robot) +
+           " within one behaviour. Check the odometry and send the goal again.";
+  }
+  const double predicted = extent(before_, expected_->world_from_end);
+  const bool failed =
+      deviation > kOrdinaryDeviation_m && deviation > options_.failed_share * predicted;
+  failed_in_a_row_ = failed ? failed_in_a_row_ + 1 : 0;
+  if (failed_in_a_row_ < options_.max_failed_steps && steps_taken_ < most_steps_) {
+    return std::nullopt;
+  }
+  state = WalkState::kStuck;
+  const std::string why = failed_in_a_row_ >= options_.max_failed_steps
+                              ? "the last " + std::to_string(failed_in_a_row_) +
+                                    " behaviours ended far from their "
+                                    "prediction, the last one predicted " +
+                                    poseText(expected_->world_from_end) + " and measured " +
+                                    poseText(world_from_robot)
+                              : std::to_string(steps_taken_) + " behaviours did not lead there";
+  return "Stuck on the way to " + poseText(world_from_goal_) + ": " + why +
+         ". Free the robot, or check that the repertoire was learned for it.";
+}
+
+Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<bool()>& stop) {
+  Decision decision;
+  PlanRequest request;
+  request.world_from_start = world_from_robot;
+  request.world_from_goal = world_from_goal_;
+  request.tolerance = tolerance_;
+  request.stop = stop;
+  decision.plan = planner_->plan(request);
+  decision.message = decision.plan.message;
+  if (decision.plan.code == PlanCode::kAlreadyThere) {
+    decision.state = WalkState::kArrived;
+    decision.message = "Arrived at " + poseText(world_from_robot) + " after " +
+                       std::to_string(steps_taken_) + " behaviours.";
+    return decision;
+  }
+  if (const auto problem = problemWith(world_from_robot, decision.state)) {
+    decision.message = *problem;
+    return decision;
+  }
+  if (decision.plan.code != PlanCode::kFound) return decision;
+  if (most_steps_ == 0) {
+    most_steps_ =
+        options_.max_steps_factor * static_cast<std::int64_t>(decision.plan.steps.size()) + 10;
+  }
+  decision.state = WalkState::kStep;
+  decision.step = decision.plan.steps.front();
+  expected_ = decision.step;
+  before_ = world_from_robot;
+  ++steps_taken_;
+  return decision;
+}
+
+}  // namespace hexapod_repertoire

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "planning/planner.h"
+
+namespace hexapod_repertoire {
+
+/// How a walk ended, or that it goes on.
+enum class WalkState {
+  kStep,     ///< play Decision::step next
+  kArrived,  ///< within tolerance
+  kNoPlan,   ///< Decision::plan tells why
+  kStuck,    ///< the behaviours do not move the robot as predicted
+  kPoseLost  ///< the measured pose jumped farther than any behaviour leads
+};
+
+/// When a walk is given up.
+struct WalkOptions {
+  /// A behaviour failed when it ended this share of its predicted displacement (a radian counts as
+  /// 0.3 m) away from its prediction, and more than the spreads explain.
+  double failed_share = 0.7;
+  std::int64_t max_failed_steps = 4;  ///< in a row: stuck
+  std::int64_t max_steps_factor = 4;  ///< steps beyond this many times the first plan + 10: stuck
+};
+
+/// One walk to a goal, behaviour by behaviour, planned anew from the measured pose before each one.
+///
+/// Knows no clock and no robot: decide() is told where the robot stands at rest and answers what to
+/// play. Not thread-safe.
+class Walk {
+ public:
+  struct Decision {
+    WalkState state = WalkState::kNoPlan;
+    PlanResult plan;                  ///< from the measured pose
+    std::optional<PlannedStep> step;  ///< only with kStep: the first of the plan
+    std::string message;              ///< a sentence for the user
+  };
+
+  Walk(std::shared_ptr<const Planner> planner, const Pose2& world_from_goal,
+       const GoalTolerance& tolerance, const WalkOptions& options = {});
+
+  /// The next behaviour, or the end. `stop` may end the planning early (PlanRequest::stop).
+  Decision decide(const Pose2& world_from_robot, const std::function<bool()>& stop = {});
+
+  std::int64_t stepsTaken() const { return steps_taken_; }
+
+ private:
+  std::optional<std::string> problemWith(const Pose2& world_from_robot, WalkState& state);
+
+  std::shared_ptr<const Planner> planner_;
+  Pose2 world_from_goal_;
+  GoalTolerance tolerance_;
+  WalkOptions options_;
+  std::int64_t steps_taken_ = 0;
+  std::int64_t failed_in_a_row_ = 0;
+  std::int64_t most_steps_ = 0;  // 0 until the first plan
+  std::optional<PlannedStep> expected_;
+  Pose2 before_;
+};
+
+}  // namespace hexapod_repertoire
