@@ -33,16 +33,10 @@ Individual individualOf(const Entry& entry) {
   Individual individual;
   individual.id = entry.id;
   individual.evaluation = entry.evaluation;
+  individual.genotype = entry.genome;
   individual.genome = entry.genome;
   individual.outcome = {Verdict::kWalked, entry.end_pose, entry.orientation_error_rad};
   return individual;
-}
-
-void count(const Outcome& outcome, EvolutionCounters& counters) {
-  ++counters.evaluations;
-  if (outcome.verdict == Verdict::kFell) ++counters.fell;
-  if (outcome.verdict == Verdict::kSelfCollided) ++counters.self_collided;
-  if (outcome.verdict == Verdict::kDiverged) ++counters.diverged;
 }
 
 void requireGeneCount(const Genome& genome, std::size_t gene_count, const std::string& owner) {
@@ -69,7 +63,8 @@ BrEvolution::BrEvolution(const EvolutionOptions& options, std::size_t gene_count
   population_ = state.population;
   archive_ = Archive(state.archive);
   for (const Individual& individual : population_) {
-    requireGeneCount(individual.genome, gene_count, "Individual " + std::to_string(individual.id));
+    requireGeneCount(individual.genotype, gene_count,
+                     "Individual " + std::to_string(individual.id));
   }
   for (const Entry& entry : state.archive) {
     requireGeneCount(entry.genome, gene_count, "Entry " + std::to_string(entry.id));
@@ -81,18 +76,15 @@ void BrEvolution::step(std::int64_t most_candidates) {
     throw std::invalid_argument("A generation needs 1 candidate or more, not " +
                                 std::to_string(most_candidates) + ".");
   }
-  const auto count = static_cast<std::size_t>(std::min(options_.population_size, most_candidates));
+  const auto size = static_cast<std::size_t>(std::min(options_.population_size, most_candidates));
   Random random = random_;
-  const std::vector<Genome> genomes = nextGenomes(count, random);
-  const std::vector<Outcome> outcomes = evaluator_->evaluate(genomes);
-  if (outcomes.size() != genomes.size()) {
-    throw std::logic_error("The evaluator gave " + std::to_string(outcomes.size()) +
-                           " outcomes for " + std::to_string(genomes.size()) + " genomes.");
-  }
+  std::vector<Individual> candidates = nextCandidates(size, random);
+  evaluate(candidates);
   random_ = random;
+  next_id_ += static_cast<std::int64_t>(size);
+  count(candidates);
   std::vector<Individual> pool = population_;
-  const std::vector<Individual> children = born(genomes, outcomes);
-  pool.insert(pool.end(), children.begin(), children.end());
+  pool.insert(pool.end(), candidates.begin(), candidates.end());
   const std::vector<Objectives> objectives = offerToArchive(pool);
   population_ = selected(pool, objectives);
   ++counters_.generations;
@@ -102,10 +94,10 @@ EvolutionState BrEvolution::state() const {
   return {random_, next_id_, counters_, population_, archive_.entries()};
 }
 
-Genome BrEvolution::randomGenome(Random& random) const {
-  Genome genome(gene_count_);
-  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return canonical(genome);
+Genome BrEvolution::randomGenotype(Random& random) const {
+  Genome genotype(gene_count_);
+  for (auto& level : genotype) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
+  return genotype;
 }
 
 Genome BrEvolution::mutated(const Genome& parent, Random& random) const {
@@ -114,33 +106,46 @@ Genome BrEvolution::mutated(const Genome& parent, Random& random) const {
     if (!random.chance(options_.mutation_rate)) continue;
     level = static_cast<std::uint8_t>(random.below(kGeneLevels));
   }
-  return canonical(child);
+  return child;
 }
 
-std::vector<Genome> BrEvolution::nextGenomes(std::size_t count, Random& random) const {
+std::vector<Individual> BrEvolution::nextCandidates(std::size_t count, Random& random) const {
   std::vector<Standing> standings;
   standings.reserve(population_.size());
   for (const Individual& individual : population_) standings.push_back(individual.standing);
-  std::vector<Genome> genomes;
-  genomes.reserve(count);
-  while (genomes.size() < count) {
-    genomes.push_back(population_.empty()
-                          ? randomGenome(random)
-                          : mutated(population_[tournament(standings, random)].genome, random));
+  std::vector<Individual> candidates(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Individual& candidate = candidates[i];
+    candidate.id = next_id_ + static_cast<std::int64_t>(i);
+    candidate.evaluation = counters_.evaluations + static_cast<std::int64_t>(i) + 1;
+    candidate.genotype = population_.empty()
+                             ? randomGenotype(random)
+                             : mutated(population_[tournament(standings, random)].genotype, random);
+    candidate.genome = canonical(candidate.genotype);
   }
-  return genomes;
+  return candidates;
 }
 
-std::vector<Individual> BrEvolution::born(const std::vector<Genome>& genomes,
-                                          const std::vector<Outcome>& outcomes) {
-  std::vector<Individual> children;
-  children.reserve(genomes.size());
-  for (std::size_t i = 0; i < genomes.size(); ++i) {
-    const Outcome outcome = checked(outcomes[i]);
-    count(outcome, counters_);
-    children.push_back({next_id_++, counters_.evaluations, genomes[i], outcome, {}});
+void BrEvolution::evaluate(std::vector<Individual>& candidates) const {
+  std::vector<Genome> genomes;
+  genomes.reserve(candidates.size());
+  for (const Individual& candidate : candidates) genomes.push_back(candidate.genome);
+  const std::vector<Outcome> outcomes = evaluator_->evaluate(genomes);
+  if (outcomes.size() != genomes.size()) {
+    throw std::logic_error("The evaluator gave " + std::to_string(outcomes.size()) +
+                           " outcomes for " + std::to_string(genomes.size()) + " genomes.");
   }
-  return children;
+  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].outcome = checked(outcomes[i]);
+}
+
+void BrEvolution::count(const std::vector<Individual>& candidates) {
+  for (const Individual& candidate : candidates) {
+    const Verdict verdict = candidate.outcome.verdict;
+    ++counters_.evaluations;
+    if (verdict == Verdict::kFell) ++counters_.fell;
+    if (verdict == Verdict::kSelfCollided) ++counters_.self_collided;
+    if (verdict == Verdict::kDiverged) ++counters_.diverged;
+  }
 }
 
 std::vector<Objectives> BrEvolution::offerToArchive(std::vector<Individual>& pool) {
@@ -159,6 +164,7 @@ std::vector<Objectives> BrEvolution::offerToArchive(std::vector<Individual>& poo
       continue;
     }
     ++counters_.swapped;
+    if (options_.swap == "copy") continue;
     individual = individualOf(*result.displaced);
     neighbourhood.moveToPool(individual);
     objectives.back() = neighbourhood.objectives(individual);
@@ -170,13 +176,15 @@ std::vector<Individual> BrEvolution::selected(const std::vector<Individual>& poo
                                               const std::vector<Objectives>& objectives) const {
   const bool crowding = options_.diversity == "crowding";
   const auto size = static_cast<std::size_t>(options_.population_size);
-  std::vector<Genome> genomes;
-  for (const Individual& individual : pool) genomes.push_back(individual.genome);
+  std::vector<Genome> genotypes;
+  genotypes.reserve(pool.size());
+  for (const Individual& individual : pool) genotypes.push_back(individual.genotype);
   const std::vector<Front> fronts = nonDominatedFronts(objectives);
   std::vector<Individual> survivors;
   for (std::size_t rank = 0; rank < fronts.size() && survivors.size() < size; ++rank) {
-    const std::vector<double> diversities = crowding ? crowdingDistances(objectives, fronts[rank])
-                                                     : genotypicDiversities(genomes, fronts[rank]);
+    const std::vector<double> diversities = crowding
+                                                ? crowdingDistances(objectives, fronts[rank])
+                                                : genotypicDiversities(genotypes, fronts[rank]);
     std::vector<Individual> front;
     for (std::size_t k = 0; k < fronts[rank].size(); ++k) {
       front.push_back(pool[fronts[rank][k]]);

@@ -17,14 +17,19 @@ namespace hexapod_repertoire {
 /// Novelty search with local competition on NSGA-II, whose archive is the result: individuals whose
 /// end is new enter it, and those that end better aligned than the entry nearest to them are
 /// swapped with it. Where the paper is silent or contradicts itself:
-/// - Genomes are canonical from the start, so equal gaits are one genome. Mutation draws each gene
-///   anew, with probability mutation_rate, uniformly among all five levels, its own included.
+/// - Mutation draws each gene anew, with probability mutation_rate, uniformly among all five
+/// levels,
+///   its own included.
+/// - Two genotypes of the same gait are the same controller: identity goes by the canonical genome,
+///   while inheritance and genotypic diversity keep the genes that happen to be silent.
 /// - A generation looks at parents and children together, as NSGA-II selects among both; parents
 ///   keep their outcome. What counts as a neighbour and as better: see Neighbourhood.
 /// - The archive changes within the loop, so that later individuals meet it as changed. An offer
 ///   adds or swaps, never both, and a genome is never in the archive twice (see Archive).
-/// - "Swapped" is meant: the entry that leaves takes the individual's place in the population, with
-///   objectives of its own.
+/// - "Swapped" is taken literally with swap = exchange: the entry that leaves takes the
+/// individual's
+///   place in the population, with objectives of its own. With copy it is dropped and the
+///   individual stays in the population as well, as it does when it is added.
 /// - Individuals that fell, collided or diverged never enter the archive and get the worst
 ///   objectives; an outcome that is not finite counts as diverged.
 /// - Genotypic diversity decides where crowding does in NSGA-II: in the truncation of the last
@@ -55,11 +60,11 @@ class BrEvolution {
   EvolutionState state() const;
 
  private:
-  Genome randomGenome(Random& random) const;
+  Genome randomGenotype(Random& random) const;
   Genome mutated(const Genome& parent, Random& random) const;
-  std::vector<Genome> nextGenomes(std::size_t count, Random& random) const;
-  std::vector<Individual> born(const std::vector<Genome>& genomes,
-                               const std::vector<Outcome>& outcomes);
+  std::vector<Individual> nextCandidates(std::size_t count, Random& random) const;
+  void evaluate(std::vector<Individual>& candidates) const;
+  void count(const std::vector<Individual>& candidates);
   std::vector<Objectives> offerToArchive(std::vector<Individual>& pool);
   std::vector<Individual> selected(const std::vector<Individual>& pool,
                                    const std::vector<Objectives>& objectives) const;

@@ -36,6 +36,10 @@ std::vector<Option> declareOptions(EvolutionOptions& options) {
       option("diversity", options.diversity,
              "What keeps the individuals of one front apart: their genotypes or their objectives.",
              {"genotypic", "crowding"}),
+      option("swap", options.swap,
+             "An entry that is swapped out takes the better individual's place in the population "
+             "(exchange), or is dropped while the individual stays there too (copy).",
+             {"exchange", "copy"}),
   };
 }
 

@@ -15,6 +15,7 @@ struct EvolutionOptions {
   double novelty_threshold_m = 0.10;    ///< rho in the paper [m]; more novel ends enter the archive
   double mutation_rate = 0.10;          ///< probability that a gene is drawn anew, 0 .. 1
   std::string diversity = "genotypic";  ///< inside a front: genotypic (the paper) | crowding
+  std::string swap = "exchange";        ///< what leaves the archive: exchange (the paper) | copy
 };
 
 /// The options with name, unit, range and meaning, bound to `options`.

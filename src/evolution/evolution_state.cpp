@@ -33,7 +33,7 @@ constexpr std::array<Counter, 7> kCounters = {{
 std::string lineOf(const Individual& individual) {
   const Outcome& outcome = individual.outcome;
   std::string line = std::to_string(individual.id) + " " + std::to_string(individual.evaluation) +
-                     " " + toString(individual.genome) + " " + toString(outcome.verdict);
+                     " " + toString(individual.genotype) + " " + toString(outcome.verdict);
   for (const double number : {outcome.end_pose.x_m, outcome.end_pose.y_m, outcome.end_pose.yaw_rad,
                               outcome.orientation_error_rad, individual.standing.diversity}) {
     line += " " + toText(number);
@@ -80,7 +80,8 @@ Individual individualFrom(const std::string& line) {
   individual.id = words.integer();
   individual.evaluation = words.integer();
   const std::string digits = words.text();
-  individual.genome = genomeFromString(digits, digits.size());
+  individual.genotype = genomeFromString(digits, digits.size());
+  individual.genome = canonical(individual.genotype);
   individual.outcome.verdict = words.verdict();
   individual.outcome.end_pose.x_m = words.real();
   individual.outcome.end_pose.y_m = words.real();

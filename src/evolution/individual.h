@@ -15,7 +15,8 @@ namespace hexapod_repertoire {
 struct Individual {
   std::int64_t id = 0;          ///< unique within the run; its entry in the archive has the same
   std::int64_t evaluation = 0;  ///< its number among the candidates of the run, from 1
-  Genome genome;                ///< canonical
+  Genome genotype;              ///< the genes as they are inherited and mutated
+  Genome genome;                ///< canonical(genotype): what is simulated, compared and archived
   Outcome outcome;
   Standing standing;  ///< among the parents and children it was last selected from
 };

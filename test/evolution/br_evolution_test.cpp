@@ -75,6 +75,36 @@ TEST(BrEvolution, CrowdingDiversityWorksToo) {
   EXPECT_LT(measure(learnedEndings(evolution.archive().entries())).sparseness_m, 0.04);
 }
 
+TEST(BrEvolution, WithCopiesTheBetterIndividualStaysInThePopulation) {
+  AnalyticEvaluator evaluator;
+  EvolutionOptions options;
+  options.swap = "copy";
+  BrEvolution evolution(options, kGenes, evaluator, Random(1));
+  for (int generation = 0; generation < 30; ++generation) {
+    std::set<std::int64_t> known;
+    for (const Individual& individual : evolution.population()) known.insert(individual.id);
+    const std::int64_t oldest_child = evolution.counters().evaluations + 1;
+    evolution.step();
+    // Nobody comes back: all are parents or children.
+    for (const Individual& individual : evolution.population()) {
+      EXPECT_TRUE(known.count(individual.id) > 0 || individual.id >= oldest_child);
+    }
+  }
+  EXPECT_GT(evolution.counters().swapped, 0);
+}
+
+TEST(BrEvolution, InheritsSilentGenesButSimulatesCanonicalGenomes) {
+  AnalyticEvaluator evaluator;
+  BrEvolution evolution(optionsOfSize(50), kGenes, evaluator, Random(14));
+  bool silent = false;
+  for (int generation = 0; generation < 5; ++generation) evolution.step();
+  for (const Individual& individual : evolution.population()) {
+    EXPECT_EQ(individual.genome, canonical(individual.genotype));
+    silent = silent || individual.genome != individual.genotype;
+  }
+  EXPECT_TRUE(silent);
+}
+
 TEST(BrEvolution, ArchiveNeverShrinksAndKeepsItsPromisesThroughARun) {
   AnalyticEvaluator evaluator;
   BrEvolution evolution({}, kGenes, evaluator, Random(2));

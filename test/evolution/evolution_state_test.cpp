@@ -59,13 +59,15 @@ TEST(EvolutionState, ARunStoppedAfterEveryGenerationEndsLikeTheUndisturbedOne) {
 TEST(EvolutionState, SurvivesInfinityAndTheFallen) {
   EvolutionState state;
   Individual individual;
-  individual.genome = {0, 1, 2, 3};
+  individual.genotype = {0, 1, 2, 3};
   individual.outcome = {Verdict::kSelfCollided, {}, 0.0};
   individual.standing = {3, std::numeric_limits<double>::infinity()};
   state.population = {individual};
   const EvolutionState back = throughText(state);
   ASSERT_EQ(back.population.size(), 1U);
   EXPECT_EQ(back.population[0].outcome.verdict, Verdict::kSelfCollided);
+  EXPECT_EQ(back.population[0].genotype, (Genome{0, 1, 2, 3}));
+  EXPECT_EQ(back.population[0].genome, (Genome{0, 0, 2, 3}));
   EXPECT_EQ(back.population[0].standing.rank, 3U);
   EXPECT_EQ(back.population[0].standing.diversity, std::numeric_limits<double>::infinity());
 }

@@ -60,7 +60,7 @@ class NeighbourhoodOf : public ::testing::Test {
  protected:
   Individual born(const Genome& genome) {
     const std::int64_t id = next_id_++;
-    return {id, id, genome, evaluator_.outcomeOf(genome), {}};
+    return {id, id, genome, genome, evaluator_.outcomeOf(genome), {}};
   }
   std::vector<Individual> randomPool(std::size_t count) {
     std::vector<Individual> pool;
@@ -70,7 +70,8 @@ class NeighbourhoodOf : public ::testing::Test {
 
   Individual at(double x_m, double error_rad) {
     const std::int64_t id = next_id_++;
-    return {id, id, randomGenome(random_), {Verdict::kWalked, {x_m, 0.0, 0.0}, error_rad}, {}};
+    const Genome genome = randomGenome(random_);
+    return {id, id, genome, genome, {Verdict::kWalked, {x_m, 0.0, 0.0}, error_rad}, {}};
   }
 
   AnalyticEvaluator evaluator_;
@@ -115,6 +116,7 @@ TEST_F(NeighbourhoodOf, AGenerationFollowsWhatMovesBetweenPoolAndArchive) {
       const Entry& left = *result.displaced;
       individual = {left.id,
                     left.evaluation,
+                    left.genome,
                     left.genome,
                     {Verdict::kWalked, left.end_pose, left.orientation_error_rad},
                     {}};
