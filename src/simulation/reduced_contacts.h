@@ -25,10 +25,6 @@ struct FloorContacts {
   FloorContact<Real, kSegments> contact[kMaxSpheres];
 };
 
-/// Compliance of a row: velocity = wanted - (cfm / h) impulse, so its impulse per velocity [N s/m].
-inline double normalWeight(const ReducedModel& model, double step) { return step / model.soft_cfm; }
-inline double frictionWeight(const ReducedModel& model, double step) { return step / model.slip; }
-
 /// Levers and wanted velocity of a contact of a leg (7).
 template <typename Real, int kSegments>
 inline void couple(const LegTerms<Real, kSegments>& leg, FloorContact<Real, kSegments>& contact) {

@@ -64,8 +64,10 @@ inline void bodyTerms(const ReducedModel& model, const BodyModel& body,
   inertia = {body.mass, body.mass * arm, about_center + steiner(body.mass, arm)};
 
   const Vec3<Real> spin = about_center * state.rate;
-  const Vec3<Real> free = state.velocity + Vec3<double>(step * model.gravity);
-  momentum.linear = body.mass * (free - velocityAt(correction, arm));
+  const Vec3<double>& gravity = model.gravity;
+  const Vec3<Real> falling{state.velocity.x + step * gravity.x, state.velocity.y + step * gravity.y,
+                           state.velocity.z + step * gravity.z};
+  momentum.linear = body.mass * (falling - velocityAt(correction, arm));
   momentum.angular = spin + gyroscopicImpulse(about_center, spin, step) -
                      about_center * correction.angular + cross(arm, momentum.linear);
 }

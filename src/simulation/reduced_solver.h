@@ -69,8 +69,9 @@ void Solver<Real, kSegments>::solve(const ReducedModel& model, double step, cons
   model_ = &model;
   tree_ = &tree;
   contacts_ = &contacts;
-  normal_weight_ = splat<Real>(normalWeight(model, step));
-  friction_weight_ = splat<Real>(frictionWeight(model, step));
+  // A row's compliance is cfm / h, so its impulse [N s] per lacking velocity [m/s]:
+  normal_weight_ = splat<Real>(step / model.soft_cfm);
+  friction_weight_ = splat<Real>(step / model.slip);
   start();
   solveRows(false);
   boundFriction();

@@ -10,6 +10,7 @@
 #include "simulation/reduced_make_model.h"
 #include "simulation/reduced_state.h"
 #include "simulation/reduced_stepper.h"
+#include "simulation/reduced_verdict.h"
 #include "simulation/standing_state.h"
 
 namespace hexapod_repertoire {
@@ -22,12 +23,6 @@ namespace {
            << "its simulation is '" << toString(verdict) << "' after " << time_s
            << " s; change its neutral pose, masses or torques, or the physics.";
   throw std::runtime_error(sentence.str());
-}
-
-Verdict verdictOf(const reduced::LaneFindings& findings) {
-  if (findings.diverged) return Verdict::kDiverged;
-  if (findings.fell) return Verdict::kFell;
-  return findings.collided ? Verdict::kSelfCollided : Verdict::kWalked;
 }
 
 void checkCount(const char* what, const std::string& robot, std::size_t expected,
@@ -90,7 +85,7 @@ Verdict ReducedWorld::step() { return advance(physics_.step_s); }
 Verdict ReducedWorld::advance(double step_s) {
   if (diverged_) return Verdict::kDiverged;
   stepper_->advance(step_s);
-  const Verdict verdict = verdictOf(stepper_->findings(0));
+  const Verdict verdict = reduced::verdictOf(stepper_->findings(0));
   diverged_ = verdict == Verdict::kDiverged;
   return verdict;
 }

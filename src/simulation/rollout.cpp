@@ -11,6 +11,14 @@
 namespace hexapod_repertoire {
 namespace {
 
+Outcome failed(Verdict verdict) {
+  Outcome outcome;
+  outcome.verdict = verdict;
+  return outcome;
+}
+
+}  // namespace
+
 std::size_t stepsPerCommand(double command_period_s, double step_s) {
   const double steps = command_period_s / step_s;
   const double whole = std::round(steps);
@@ -22,14 +30,6 @@ std::size_t stepsPerCommand(double command_period_s, double step_s) {
            << " s; choose a step_s that divides command_period_s.";
   throw std::invalid_argument(sentence.str());
 }
-
-Outcome failed(Verdict verdict) {
-  Outcome outcome;
-  outcome.verdict = verdict;
-  return outcome;
-}
-
-}  // namespace
 
 Outcome play(World& world, const Behavior& behavior, double command_period_s) {
   const std::size_t steps = stepsPerCommand(command_period_s, world.physics().step_s);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include "gait/behavior.h"
 #include "gait/outcome.h"
 #include "simulation/world.h"
@@ -10,5 +12,8 @@ namespace hexapod_repertoire {
 /// footprint it started from. Stops at the first failure; the world is then left as it is.
 /// Throws std::invalid_argument when the command period is not a multiple of the world's step.
 Outcome play(World& world, const Behavior& behavior, double command_period_s);
+
+/// How many steps a command holds. Throws std::invalid_argument when that is no whole number.
+std::size_t stepsPerCommand(double command_period_s, double step_s);
 
 }  // namespace hexapod_repertoire

@@ -1,0 +1,91 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "gait/behavior.h"
+#include "geometry/pose2.h"
+#include "simulation/ode_world.h"
+#include "simulation/reduced_world.h"
+#include "test_robots.h"
+
+// Whole behaviours in the reduced engine, held against ODE.
+
+namespace hexapod_repertoire {
+namespace {
+
+struct End {
+  Verdict verdict = Verdict::kWalked;
+  Pose2 pose;  // not rounded as Outcome is
+};
+
+End playToTheEnd(World& world, const Behavior& behavior) {
+  world.restart();
+  End end;
+  for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
+    world.setTargets(behavior.command(k));
+    for (int i = 0; i < 2 && end.verdict == Verdict::kWalked; ++i) end.verdict = world.step();
+  }
+  end.pose = footprint(world.worldFromBase());
+  return end;
+}
+
+TEST(ReducedOracle, EndsBehavioursWhereOdeDoes) {
+  const RobotDescription robot = handMadeHexapod();
+  OdeWorld ode(robot, Physics());
+  ReducedWorld reduced(robot, Physics());
+  std::vector<double> apart_m, apart_rad;
+  for (const Genome& genome : randomGenomes(robot, 60, 11)) {
+    const Behavior behavior(robot, genome, BehaviorOptions());
+    const End expected = playToTheEnd(ode, behavior);
+    const End end = playToTheEnd(reduced, behavior);
+    ASSERT_EQ(end.verdict, expected.verdict) << toString(genome);
+    if (expected.verdict != Verdict::kWalked) continue;
+    apart_m.push_back(distance(end.pose, expected.pose));
+    apart_rad.push_back(headingDistance(end.pose, expected.pose));
+  }
+  ASSERT_GT(apart_m.size(), 50u);
+  std::sort(apart_m.begin(), apart_m.end());
+  std::sort(apart_rad.begin(), apart_rad.end());
+  EXPECT_LT(apart_m[apart_m.size() / 2], 1e-7);
+  EXPECT_LT(apart_m.back(), 1e-4);
+  EXPECT_LT(apart_rad.back(), 1e-3);
+}
+
+TEST(ReducedOracle, SeesTheCollisionsOfLegsThatOdeSees) {
+  const RobotDescription robot = hexapodWithWideHips();
+  OdeWorld ode(robot, Physics());
+  ReducedWorld reduced(robot, Physics());
+  int collided = 0;
+  for (const Genome& genome : randomGenomes(robot, 40, 5)) {
+    const Behavior behavior(robot, genome, shortBehavior());
+    const End expected = playToTheEnd(ode, behavior);
+    const End end = playToTheEnd(reduced, behavior);
+    EXPECT_EQ(end.verdict, expected.verdict) << toString(genome);
+    // The same step of the same behaviour.
+    EXPECT_LT(distance(end.pose, expected.pose), 1e-5) << toString(genome);
+    collided += expected.verdict == Verdict::kSelfCollided;
+  }
+  EXPECT_GT(collided, 10);
+}
+
+TEST(ReducedOracle, LooksOftenEnoughAtLegsThatMayTouch) {
+  const RobotDescription robot = hexapodWithWideHips();
+  ReducedWorld world(robot, Physics()), forgetful(robot, Physics());
+  for (const Genome& genome : randomGenomes(robot, 40, 6)) {
+    const Behavior behavior(robot, genome, shortBehavior());
+    world.restart();
+    forgetful.restart();
+    for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
+      world.setTargets(behavior.command(k));
+      // A restored world looks at every pair of legs.
+      forgetful.setTargets(behavior.command(k));
+      forgetful.restore(forgetful.state());
+      ASSERT_EQ(world.step(), forgetful.step()) << toString(genome);
+    }
+    ASSERT_EQ(world.state().values, forgetful.state().values);
+  }
+}
+
+}  // namespace
+}  // namespace hexapod_repertoire
