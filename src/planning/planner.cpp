@@ -84,7 +84,8 @@ std::string describe(const PlanResult& result, const PlanRequest& request,
   std::ostringstream out = sentence();
   switch (result.code) {
     case PlanCode::kFound:
-      out << "Plan of " << result.steps.size() << " behaviours, predicted to end ";
+      out << "Plan of " << result.steps.size()
+          << (result.steps.size() == 1 ? " behaviour" : " behaviours") << ", predicted to end ";
       break;
     case PlanCode::kUnreachable:
       out << "No chain of at most " << options.max_steps << " behaviours was found to the goal "

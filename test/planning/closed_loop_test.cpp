@@ -4,6 +4,7 @@
 
 #include "arc_repertoire.h"
 #include "planning/planner.h"
+#include "random_goal.h"
 
 namespace hexapod_repertoire {
 namespace {
@@ -32,10 +33,7 @@ class ClosedLoop : public testing::Test {
   Tally walk(const World& world, int walks, bool learn_deviation) {
     Tally tally;
     for (; tally.walks < walks; ++tally.walks) {
-      PlanRequest request;
-      const double far_m = 1.5 * std::sqrt(random_.uniform());
-      const Pose2 turn = {0.0, 0.0, random_.uniform(-M_PI, M_PI)};
-      request.world_from_goal = turn * Pose2{far_m, 0.0, random_.uniform(-M_PI, M_PI)};
+      const PlanRequest request = requestTo(randomPose(random_, 1.5));
       const int behaviours = behavioursTo(request, world, learn_deviation);
       if (behaviours <= kMostBehaviours) ++tally.arrived;
       tally.behaviours += behaviours;

@@ -6,23 +6,10 @@
 #include <thread>
 
 #include "arc_repertoire.h"
-#include "planning/plan_cost.h"
+#include "random_goal.h"
 
 namespace hexapod_repertoire {
 namespace {
-
-PlanRequest requestTo(const Pose2& goal) {
-  PlanRequest request;
-  request.world_from_goal = goal;
-  return request;
-}
-
-Pose2 randomPose(Random& random, double radius_m) {
-  const double far_m = radius_m * std::sqrt(random.uniform());
-  const double direction_rad = random.uniform(-M_PI, M_PI);
-  return {far_m * std::cos(direction_rad), far_m * std::sin(direction_rad),
-          random.uniform(-M_PI, M_PI)};
-}
 
 /// Walks the plan by composing the entries' expected poses.
 Pose2 composed(const Repertoire& repertoire, const PlanRequest& request, const PlanResult& plan) {
@@ -242,80 +229,6 @@ TEST_F(ArcPlanner, PredictsTheSpreadOfABlindWalk) {
   const double swing_m = kSpread_rad * 0.67;
   EXPECT_NEAR(plan.spread_m,
               std::sqrt(3.0 * kSpread_m * kSpread_m + (1.0 + 4.0) * swing_m * swing_m), 1e-3);
-}
-
-/// The brute-force oracle: all chains of one and two entries.
-struct Shortest {
-  std::size_t steps = 0;  ///< 0: none within tolerance
-  double price = 1e9;     ///< the least of all
-};
-
-Shortest bruteForce(const std::vector<Move>& moves, const Pose2& goal,
-                    const PlannerOptions& options) {
-  Shortest result;
-  const EndCost end_cost(options.tolerance(), options);
-  const auto look = [&](const Pose2& end, std::size_t steps, double cost, const Uncertainty& u) {
-    const double off_m = distance(end, goal);
-    const double off_rad = headingDistance(end, goal);
-    if (off_m > options.xy_tolerance_m || off_rad > options.yaw_tolerance_rad) return;
-    if (result.steps == 0 || steps < result.steps) result.steps = steps;
-    result.price = std::min(result.price, cost + end_cost(off_m, off_rad, u));
-  };
-  for (const Move& first : moves) {
-    const Uncertainty after = Uncertainty{}.after(first, kKeptWhenReplanned);
-    look(first.end, 1, first.cost, after);
-    for (const Move& second : moves) {
-      look(first.end * second.end, 2, first.cost + second.cost,
-           after.after(second, kKeptWhenReplanned));
-    }
-  }
-  return result;
-}
-
-TEST(Planner, IsAsShortAsBruteForceWhenEntriesAreSure) {
-  Repertoire repertoire = arcRepertoire(120, 6);
-  for (Entry& entry : repertoire.entries) entry = entryTo(entry.end_pose, 0.0, 0.0);
-  PlannerOptions options;
-  options.unvalidated_spread_m = 0.0;
-  options.unvalidated_spread_rad = 0.0;
-  const Planner planner(repertoire, options);
-  const std::vector<Move> moves = usableMoves(repertoire, options, {});
-  Random random(7);
-  int short_ones = 0;
-  for (int i = 0; i < 150; ++i) {
-    const Pose2 goal = randomPose(random, 1.2);
-    const Shortest shortest = bruteForce(moves, goal, options);
-    const PlanResult plan = planner.plan(requestTo(goal));
-    if (shortest.steps == 0 || plan.code == PlanCode::kAlreadyThere) continue;
-    ++short_ones;
-    EXPECT_EQ(plan.steps.size(), shortest.steps) << plan.message;
-  }
-  EXPECT_GT(short_ones, 50);
-}
-
-TEST(Planner, CostsNoMoreThanTheBestOfAllShortChains) {
-  for (const std::int64_t max_pairs : {100000, 900}) {
-    PlannerOptions options;
-    options.max_pairs = max_pairs;
-    const Repertoire repertoire = arcRepertoire(120, 8);
-    const Planner planner(repertoire, options);
-    const std::vector<Move> moves = usableMoves(repertoire, options, {});
-    const EndCost end_cost(options.tolerance(), options);
-    Random random(9);
-    for (int i = 0; i < 100; ++i) {
-      const Pose2 goal = randomPose(random, 1.2);
-      const PlanResult plan = planner.plan(requestTo(goal));
-      if (plan.code != PlanCode::kFound) continue;
-      double price = 0.0;
-      Uncertainty uncertainty;
-      for (const PlannedStep& step : plan.steps) {
-        price += moves[step.entry].cost;
-        uncertainty = uncertainty.after(moves[step.entry], kKeptWhenReplanned);
-      }
-      price += end_cost(plan.distance_m, plan.heading_rad, uncertainty);
-      EXPECT_LE(price, bruteForce(moves, goal, options).price + 1e-9);
-    }
-  }
 }
 
 TEST(Planner, PrefersTheSureEntryAmongTwoThatEndAlike) {
