@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 template <typename... Visitors>
@@ -252,4 +252,4 @@ std::string describeOptions(const std::vector<Option>& options) {
   return table.str();
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A value as a parameter server or a YAML file holds it.
 using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
@@ -61,4 +61,4 @@ std::string nearestName(const std::string& name, const std::vector<std::string>&
 /// A Markdown table of the options: name, value now, range with unit, meaning.
 std::string describeOptions(const std::vector<Option>& options);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 Random Random::fromState(const std::string& state) {
   Random random(0);
@@ -32,4 +32,4 @@ std::uint64_t Random::below(std::uint64_t count) {
   return drawn % count;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Seeded generator of everything random in this package.
 ///
@@ -41,4 +41,4 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 
 #include "evolution/neighbourhood.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 /// The outcome, or kDiverged when a number of it is unusable.
@@ -201,4 +201,4 @@ std::vector<Individual> BrEvolution::selected(const std::vector<Individual>& poo
   return survivors;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

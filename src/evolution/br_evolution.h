@@ -10,7 +10,7 @@
 #include "evolution/individual.h"
 #include "repertoire/archive.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// BR-Evolution: Algorithm 1 of Cully & Mouret (2013), one generation per step.
 ///
@@ -79,4 +79,4 @@ class BrEvolution {
   Archive archive_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include "gait/genome.h"
 #include "gait/outcome.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Thrown by an evaluator that was told to give up a batch.
 class EvaluationCancelled : public std::runtime_error {
@@ -24,4 +24,4 @@ class Evaluator {
   virtual std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) = 0;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 bool withinRange(const Option& option) {
@@ -52,4 +52,4 @@ void requireValid(const EvolutionOptions& options) {
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

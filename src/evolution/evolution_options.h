@@ -6,7 +6,7 @@
 
 #include "common/options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Parameters of BR-Evolution; the defaults are the paper's (Cully & Mouret 2013, appendix A).
 struct EvolutionOptions {
@@ -24,4 +24,4 @@ std::vector<Option> declareOptions(EvolutionOptions& options);
 /// Throws std::invalid_argument naming key, value and allowed range of the first that is out of it.
 void requireValid(const EvolutionOptions& options);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 
 #include "repertoire/number_text.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::array<Verdict, 4> kVerdicts = {Verdict::kWalked, Verdict::kFell,
@@ -131,4 +131,4 @@ EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
   return state;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

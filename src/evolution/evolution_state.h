@@ -6,7 +6,7 @@
 
 #include "evolution/individual.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The state as texts by name, in the form in which a repertoire file keeps them; all but the
 /// archive, which is the repertoire's entries. Exact, and the same in every locale.
@@ -17,4 +17,4 @@ std::map<std::string, std::string> toTexts(const EvolutionState& state);
 EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
                               const std::vector<Entry>& archive);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

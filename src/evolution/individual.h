@@ -9,7 +9,7 @@
 #include "gait/outcome.h"
 #include "repertoire/entry.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A candidate that was evaluated.
 struct Individual {
@@ -41,4 +41,4 @@ struct EvolutionState {
   std::vector<Entry> archive;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

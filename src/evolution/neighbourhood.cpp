@@ -6,7 +6,7 @@
 #include <set>
 #include <tuple>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 Neighbourhood::Neighbourhood(const Archive& archive, const std::vector<Individual>& pool,
                              std::size_t neighbours)
@@ -75,4 +75,4 @@ std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& indivi
   return rivals;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 #include "evolution/nsga2.h"
 #include "repertoire/archive.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Objectives of an individual that reached no end pose: worse than those of any that did.
 constexpr Objectives kFailed = {-1.0, -1.0};
@@ -49,4 +49,4 @@ class Neighbourhood {
   std::vector<Individual> crowd_;  // what walked in the pool and is not in the archive, once each
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 /// Indices 0 .. count - 1 sorted by `less`, equals by index.
@@ -96,4 +96,4 @@ std::size_t tournament(const std::vector<Standing>& standings, Random& random) {
   return isBetter(standings[second], standings[first]) ? second : first;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

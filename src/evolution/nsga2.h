@@ -7,7 +7,7 @@
 #include "common/random.h"
 #include "gait/genome.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Two objectives, both to be maximised.
 using Objectives = std::array<double, 2>;
@@ -45,4 +45,4 @@ bool isBetter(const Standing& a, const Standing& b);
 /// when they are equal. `standings` must not be empty.
 std::size_t tournament(const std::vector<Standing>& standings, Random& random);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

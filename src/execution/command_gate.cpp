@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Room for the rounding of a sequence that keeps the limit exactly.
@@ -48,4 +48,4 @@ bool CommandGate::acceptable(const std::vector<double>& requested_rad) const {
                      [](double angle_rad) { return std::isfinite(angle_rad); });
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The last gate before the wire; trusts nobody.
 ///
@@ -48,4 +48,4 @@ class CommandGate {
   std::uint64_t clamped_count_ = 0;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <iterator>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Thirty seconds of commands; more is a runaway sender.
@@ -49,4 +49,4 @@ void CommandSchedule::clear() {
   newest_stamp_ns_ = 0;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

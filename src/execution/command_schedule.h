@@ -5,7 +5,7 @@
 #include <map>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Applies stamped commands a fixed latency after their stamp, on a grid of steps.
 ///
@@ -47,4 +47,4 @@ class CommandSchedule {
   std::int64_t newest_stamp_ns_ = 0;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Below the resolution of any servo.
@@ -93,6 +93,7 @@ Cause ExecutorCore::start(const Behavior& behavior, std::int64_t entry_id) {
   begins_ = true;
   ++status_.serial;
   status_.entry_id = entry_id;
+  status_.first_slot = last_slot_ + 1;
   status_.played = 0;
   enter(ExecutorMode::kWalking, {Reason::kPlaying});
   return {};
@@ -183,7 +184,10 @@ Cause ExecutorCore::checkTracking() {
 
 void ExecutorCore::finishMotion(std::int64_t index) {
   const bool walking = status_.mode == ExecutorMode::kWalking;
-  if (walking) status_.played = index;
+  if (walking) {
+    status_.first_slot = begin_slot_;
+    status_.played = index;
+  }
   if (status_.mode == ExecutorMode::kReady) return;
   const std::int64_t length =
       walking ? static_cast<std::int64_t>(behavior_->commandCount()) : ramp_.length() + 1;
@@ -237,4 +241,4 @@ void ExecutorCore::endBehavior(Cause cause) {
   behavior_ = nullptr;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -10,7 +10,7 @@
 #include "gait/behavior.h"
 #include "gait/behavior_options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Decides what is sent in each command period, from arming to the last command.
 ///
@@ -98,4 +98,4 @@ class ExecutorCore {
 /// within its limits: both outer joints of a leg fold and the tibia stays upright.
 std::vector<double> sittingPose(const RobotDescription& robot, double signal);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

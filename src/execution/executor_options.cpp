@@ -1,6 +1,6 @@
 #include "execution/executor_options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 std::vector<Option> declareOptions(ExecutorOptions& options) {
   return {
@@ -32,4 +32,4 @@ std::vector<Option> declareOptions(ExecutorOptions& options) {
   };
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 
 #include "common/options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What arming does when the robot is far from the neutral pose: choices of the option far_start.
 struct FarStart {
@@ -28,4 +28,4 @@ struct ExecutorOptions {
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(ExecutorOptions& options);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

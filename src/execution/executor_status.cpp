@@ -3,7 +3,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string rounded(double value) {
@@ -111,4 +111,4 @@ std::string sentence(const Cause& cause, const std::vector<std::string>& joint_n
   return "Unknown reason.";
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

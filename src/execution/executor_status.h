@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What the executor is doing; the numbers of msg/ExecutorState.
 enum class ExecutorMode : std::uint8_t {
@@ -77,9 +77,10 @@ struct BehaviorEnd {
 struct ExecutorStatus {
   ExecutorMode mode = ExecutorMode::kDisarmed;
   Cause cause{Reason::kNeverArmed};
-  std::int64_t entry_id = -1;  ///< entry being played; -1: none or a bare genome
-  std::uint64_t serial = 0;    ///< behaviours accepted
-  std::int64_t played = 0;     ///< command periods since the behaviour began
+  std::int64_t entry_id = -1;   ///< entry being played; -1: none or a bare genome
+  std::uint64_t serial = 0;     ///< behaviours accepted
+  std::int64_t first_slot = 0;  ///< command period of the behaviour's first command
+  std::int64_t played = 0;      ///< command periods since the behaviour began
   BehaviorEnd last_end;
   std::uint64_t commands = 0;              ///< sent since the start
   std::uint64_t skipped = 0;               ///< left out because the loop was late
@@ -87,4 +88,4 @@ struct ExecutorStatus {
   std::int64_t ticks_since_feedback = -1;  ///< -1: no joint states yet
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

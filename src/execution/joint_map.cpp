@@ -9,7 +9,7 @@
 
 #include "common/options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Collects the problems of one file, so that all are told at once.
@@ -135,4 +135,4 @@ void JointMap::fromWire(const std::vector<double>& wire_rad,
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How one joint of the description is called and counted by the servo driver.
 struct WireJoint {
@@ -41,4 +41,4 @@ class JointMap {
   std::vector<WireJoint> joints_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

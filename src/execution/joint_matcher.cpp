@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 JointMatcher::JointMatcher(const std::vector<std::string>& names, OtherJoints others)
     : names_(names), others_(others), candidate_(names.size()), seen_(names.size()) {
@@ -45,4 +45,4 @@ bool JointMatcher::refuse(const std::string& problem) {
   return false;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <unordered_map>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Brings named joint values into the order of the robot description, or says what is wrong.
 ///
@@ -40,4 +40,4 @@ class JointMatcher {
   std::string problem_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // The cubic 3 s^2 - 2 s^3 moves at most 1.5 times as fast as the straight line.
@@ -40,4 +40,4 @@ void Ramp::pose(std::int64_t index, std::vector<double>& pose_rad) const {
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

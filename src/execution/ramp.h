@@ -5,7 +5,7 @@
 
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A smooth way from one pose to another, command by command: a hold, then a cubic that starts and
 /// ends at rest. No function but the constructor allocates.
@@ -33,4 +33,4 @@ class Ramp {
   std::int64_t moving_ = 1;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

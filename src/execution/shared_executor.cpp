@@ -3,7 +3,7 @@
 #include <chrono>
 #include <thread>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::chrono::seconds kAnswerTimeout{1};
@@ -103,4 +103,4 @@ void SharedExecutor::tick(std::int64_t slot, const Send& send) {
   status_.write(core_.status());
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

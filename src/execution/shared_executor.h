@@ -9,7 +9,7 @@
 #include "execution/executor_core.h"
 #include "execution/triple_buffer.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// An ExecutorCore between a command loop and the threads of callbacks.
 ///
@@ -49,6 +49,8 @@ class SharedExecutor {
   void serve();
   /// Loop thread: serve(), then one command period; `send` gets the command when there is one.
   void tick(std::int64_t slot, const Send& send);
+  /// Loop thread.
+  ExecutorMode modeInLoop() const { return core_.status().mode; }
 
  private:
   struct Request {
@@ -82,4 +84,4 @@ class SharedExecutor {
   TripleBuffer<ExecutorStatus> status_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <atomic>
 #include <cstdint>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The latest value of one writing thread for one reading thread. Neither ever waits for the other.
 /// Values are assigned, so vectors of equal size are handed over without allocating.
@@ -39,4 +39,4 @@ class TripleBuffer {
   std::uint8_t reading_ = 2;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

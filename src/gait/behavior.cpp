@@ -4,7 +4,7 @@
 
 #include "gait/gait.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 using Angles = std::vector<double>;
@@ -57,4 +57,4 @@ Behavior::Behavior(const RobotDescription& robot, const Genome& genome,
   commands_.resize(parts.total(), neutral);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

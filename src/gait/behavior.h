@@ -7,7 +7,7 @@
 #include "gait/genome.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What the learner evaluates and the executor plays, command by command, the same in both:
 /// neutral pose -> gait -> back to the neutral pose, at rest. ("A behaviour", see README.)
@@ -37,4 +37,4 @@ class Behavior {
   std::vector<std::vector<double>> commands_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Bounds a typing error would break: the longest behaviour has 60,000 commands.
@@ -105,4 +105,4 @@ void checkReturnIsSlowEnough(const RobotDescription& robot, const BehaviorOption
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 #include "common/options.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// When the end pose of a behaviour is read: the choices of the option end_pose.
 struct EndPose {
@@ -50,4 +50,4 @@ BehaviorParts behaviorParts(const BehaviorOptions& options);
 /// some genome's return to the neutral pose would exceed the joint's velocity limit.
 void checkReturnIsSlowEnough(const RobotDescription& robot, const BehaviorOptions& options);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

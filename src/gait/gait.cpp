@@ -3,7 +3,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 double gaitSignal(double time_s, double amplitude, double phase) {
   return amplitude * std::tanh(4.0 * std::sin(2.0 * M_PI * (time_s + phase)));
@@ -39,4 +39,4 @@ void Gait::angles(double time_s, std::vector<double>& angles_rad) const {
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

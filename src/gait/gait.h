@@ -5,7 +5,7 @@
 #include "gait/genome.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// gamma(t) = amplitude * tanh(4 sin(2 pi (t + phase))): eq. 3 of the paper, period 1 s.
 double gaitSignal(double time_s, double amplitude, double phase);
@@ -34,4 +34,4 @@ class Gait {
   std::vector<double> phases_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,7 @@
 #include <cassert>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 std::string toString(const Genome& genome) {
   std::string digits;
@@ -43,4 +43,4 @@ Genome canonical(const Genome& genome) {
   return result;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Levels of the genes, each 0 .. 4 for the values 0, 0.25, 0.5, 0.75, 1 (Cully & Mouret 2013,
 /// appendix B). Index = 4 * leg + {amplitude 1, phase 1, amplitude 2, phase 2}.
@@ -29,4 +29,4 @@ Genome genomeFromString(const std::string& digits, std::size_t gene_count);
 /// differ in the last bits of sin().
 Genome canonical(const Genome& genome);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

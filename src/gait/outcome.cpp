@@ -4,7 +4,7 @@
 
 #include "geometry/arc.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // 1e-5 m or rad; half away from zero, so mirrored values stay mirrored. Never -0.
@@ -38,4 +38,4 @@ Outcome walkedTo(const Pose2& start_from_end) {
   return outcome;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How a simulated behaviour ended. Only kWalked has an end pose.
 enum class Verdict {
@@ -31,4 +31,4 @@ struct Outcome {
 /// is kDiverged.
 Outcome walkedTo(const Pose2& start_from_end);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

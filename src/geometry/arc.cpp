@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 Pose2 Arc::at(double fraction) const {
   const double travelled = fraction * length_m;
@@ -34,4 +34,4 @@ double orientationError(const Pose2& start_from_end) {
   return std::abs(wrapAngle(start_from_end.yaw_rad - arc.heading_rad));
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The circular arc from the origin through a point, centred on the lateral (y) axis: the
 /// trajectory the paper asks of every behaviour (Cully & Mouret 2013, figure 2A and 2B).
@@ -28,4 +28,4 @@ Arc arcThrough(double x_m, double y_m);
 /// through its position, 0 .. pi [rad]. Defined by the actual end point. At the origin: |yaw|.
 double orientationError(const Pose2& start_from_end);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 double wrapAngle(double angle_rad) {
   const double wrapped = std::remainder(angle_rad, 2.0 * M_PI);
@@ -40,4 +40,4 @@ Pose2 footprint(const Eigen::Isometry3d& world_from_body) {
           std::atan2(rotation(1, 0), rotation(0, 0))};
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include <Eigen/Geometry>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Wraps an angle [rad] into (-pi, pi]. Any finite input.
 double wrapAngle(double angle_rad);
@@ -36,4 +36,4 @@ bool isFinite(const Pose2& pose);
 /// 0.
 Pose2 footprint(const Eigen::Isometry3d& world_from_body);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 
 #include "planning/path.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Work per second of planning time, measured: 0.1 s of it takes 80 to 120 ms of one core at 250 to
@@ -240,4 +240,4 @@ std::vector<std::size_t> BeamSearch::chainOf(const Finish& finish) const {
   return chain;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

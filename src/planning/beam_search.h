@@ -8,7 +8,7 @@
 #include "planning/plan_cost.h"
 #include "planning/planning_tables.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What a search found. Chains are indices into PlanningTables::moves, first move first.
 struct SearchResult {
@@ -103,4 +103,4 @@ class BeamSearch {
   Finish nearest_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

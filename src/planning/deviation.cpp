@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kForgetting = 0.9;
@@ -87,4 +87,4 @@ Deviation DeviationEstimator::deviation() const {
   return result;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

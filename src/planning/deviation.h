@@ -2,7 +2,7 @@
 
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How a robot's behaviours differ, all alike, from what the repertoire says of them: another
 /// floor, load or battery. Displacements are scaled and turned, headings scaled and shifted.
@@ -50,4 +50,4 @@ class DeviationEstimator {
   double error_turn_ = 0.0;    ///< heading errors times expected changes
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Less than these is standing still: no goal tolerance asks for such a step.
@@ -101,4 +101,4 @@ std::vector<std::size_t> farthestPerSector(const std::vector<Move>& moves, std::
   return farthest;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

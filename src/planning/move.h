@@ -9,7 +9,7 @@
 #include "planning/planner_options.h"
 #include "repertoire/repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Wraps the sum or difference of two angles in [-pi, pi] into [-pi, pi].
 inline double wrapOnce(double angle_rad) {
@@ -53,4 +53,4 @@ std::vector<std::size_t> spreadOut(const std::vector<Move>& moves, std::size_t c
 /// Index of the farthest reaching move in each of `sectors` sectors of direction that has any.
 std::vector<std::size_t> farthestPerSector(const std::vector<Move>& moves, std::size_t sectors);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 
 #include "geometry/arc.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kHeadingSpacing_rad = M_PI / 18.0;
@@ -51,4 +51,4 @@ std::vector<Pose2> samplePath(const Pose2& world_from_start,
   return path;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

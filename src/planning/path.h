@@ -4,7 +4,7 @@
 
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Poses along one behaviour, from `world_from_start` (left out) to its end (included), at most
 /// `spacing_m` (> 0) apart along the arc through the end position and at most 10 degrees apart in
@@ -18,4 +18,4 @@ std::vector<Pose2> sampleStep(const Pose2& world_from_start, const Pose2& start_
 std::vector<Pose2> samplePath(const Pose2& world_from_start,
                               const std::vector<Pose2>& world_from_ends, double spacing_m);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

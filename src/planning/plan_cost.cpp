@@ -1,6 +1,6 @@
 #include "planning/plan_cost.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 Uncertainty Uncertainty::after(const Move& move, double kept) const {
   const double share = kept * kept;
@@ -46,4 +46,4 @@ double missProbability(double offset, double deviation, double limit) {
   return 0.5 * (std::erfc((limit - offset) * scale) + std::erfc((limit + offset) * scale));
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include "planning/move.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Covariance of the pose error after a chain of moves, in the frame of its end, to first order. Of
 /// the position only what decides: the variance of both axes together.
@@ -47,4 +47,4 @@ class EndCost {
 /// leaves [-limit, limit]. With a deviation of 0: 0 or 1.
 double missProbability(double offset, double deviation, double limit);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 
 #include "planning/beam_search.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::ostringstream sentence() {
@@ -179,4 +179,4 @@ void Planner::search(const PlanRequest& request, PlanResult& result) const {
                                   : PlanCode::kTimeout;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

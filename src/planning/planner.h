@@ -9,7 +9,7 @@
 #include "planning/planner_options.h"
 #include "planning/planning_tables.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A question to the planner. All poses are base_footprint in one common frame, here "world".
 struct PlanRequest {
@@ -95,4 +95,4 @@ class Planner {
   std::vector<std::int64_t> ids_;  ///< per entry of the repertoire
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -1,6 +1,6 @@
 #include "planning/planner_options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 std::vector<Option> declareOptions(PlannerOptions& options) {
   return {
@@ -35,4 +35,4 @@ std::vector<Option> declareOptions(PlannerOptions& options) {
   };
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

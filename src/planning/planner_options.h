@@ -5,7 +5,7 @@
 
 #include "common/options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How near to the goal counts as arrived.
 struct GoalTolerance {
@@ -37,4 +37,4 @@ struct PlannerOptions {
 /// Name, unit, range and meaning of each option, bound to the fields of `options`.
 std::vector<Option> declareOptions(PlannerOptions& options);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

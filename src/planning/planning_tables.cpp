@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::size_t kEvenlySpread = 64;
@@ -51,4 +51,4 @@ PlanningTables::PlanningTables(const Repertoire& repertoire, const PlannerOption
       pairs(tabulatePairs(moves, options.max_pairs)),
       steps_to_go(moves) {}
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include "planning/pose_table.h"
 #include "planning/steps_to_go.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What is computed once per repertoire. Immutable.
 struct PlanningTables {
@@ -21,4 +21,4 @@ struct PlanningTables {
   StepsToGo steps_to_go;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

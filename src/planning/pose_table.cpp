@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // 128 x 128 x 36 cells of four bytes: at most 2.4 MB of index.
@@ -54,4 +54,4 @@ PoseTable::PoseTable(std::vector<Chain> chains) {
   for (const Chain& chain : chains) chains_[next[cellOf(chain)]++] = chain;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

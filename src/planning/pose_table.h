@@ -7,7 +7,7 @@
 
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// End poses of chains of one or two moves, found by where they end.
 ///
@@ -75,4 +75,4 @@ void PoseTable::visitNear(const Pose2& centre, double radius_m, double half_widt
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

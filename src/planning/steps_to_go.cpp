@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Stand for "cannot", small enough that all estimates stay finite and ordered.
@@ -46,4 +46,4 @@ double StepsToGo::operator()(const Pose2& start_from_goal, bool any_heading) con
   return std::min(driving(ahead_rad, forward_m_), driving(wrapOnce(ahead_rad + M_PI), backward_m_));
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

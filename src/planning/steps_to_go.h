@@ -4,7 +4,7 @@
 
 #include "planning/move.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Estimate of the behaviours that a goal still takes, to order the search: turn towards the goal
 /// or away from it, drive there forwards or backwards, turn into its heading. What a repertoire
@@ -30,4 +30,4 @@ class StepsToGo {
   double right_rad_ = 0.0;   ///< per behaviour
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kMetresPerRadian = 0.3;
@@ -29,7 +29,7 @@ std::string poseText(const Pose2& pose) {
 
 }  // namespace
 
-Walk::Walk(std::shared_ptr<const Planner> planner, const Pose2& world_from_goal,
+Walk::Walk(std::shared_ptr<AdaptivePlanner> planner, const Pose2& world_from_goal,
            const GoalTolerance& tolerance, const WalkOptions& options)
     : planner_(std::move(planner)),
       world_from_goal_(world_from_goal),
@@ -67,12 +67,13 @@ std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, Walk
 
 Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<bool()>& stop) {
   Decision decision;
+  if (expected_) planner_->observe(expected_->entry, before_, world_from_robot);
   PlanRequest request;
   request.world_from_start = world_from_robot;
   request.world_from_goal = world_from_goal_;
   request.tolerance = tolerance_;
   request.stop = stop;
-  decision.plan = planner_->plan(request);
+  decision.plan = planner_->planner()->plan(request);
   decision.message = decision.plan.message;
   if (decision.plan.code == PlanCode::kAlreadyThere) {
     decision.state = WalkState::kArrived;
@@ -97,4 +98,4 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
   return decision;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

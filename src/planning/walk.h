@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "planning/planner.h"
+#include "planning/adaptive_planner.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How a walk ended, or that it goes on.
 enum class WalkState {
@@ -40,7 +40,8 @@ class Walk {
     std::string message;              ///< a sentence for the user
   };
 
-  Walk(std::shared_ptr<const Planner> planner, const Pose2& world_from_goal,
+  /// The planner is shared with other walks: what is learned of the robot in one serves the next.
+  Walk(std::shared_ptr<AdaptivePlanner> planner, const Pose2& world_from_goal,
        const GoalTolerance& tolerance, const WalkOptions& options = {});
 
   /// The next behaviour, or the end. `stop` may end the planning early (PlanRequest::stop).
@@ -51,7 +52,7 @@ class Walk {
  private:
   std::optional<std::string> problemWith(const Pose2& world_from_robot, WalkState& state);
 
-  std::shared_ptr<const Planner> planner_;
+  std::shared_ptr<AdaptivePlanner> planner_;
   Pose2 world_from_goal_;
   GoalTolerance tolerance_;
   WalkOptions options_;
@@ -62,4 +63,4 @@ class Walk {
   Pose2 before_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

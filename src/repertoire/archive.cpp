@@ -4,7 +4,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 IndexedPoint pointOf(const Entry& entry, std::size_t slot) {
@@ -75,4 +75,4 @@ Entry Archive::replace(std::size_t slot, const Entry& entry) {
   return displaced;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -9,7 +9,7 @@
 #include "repertoire/entry.h"
 #include "repertoire/point_index.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What became of a candidate.
 enum class AddStatus {
@@ -63,4 +63,4 @@ class Archive {
   std::set<Genome> genomes_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

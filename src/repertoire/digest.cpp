@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 void Digest::add(std::int64_t value) {
   const auto bits = static_cast<std::uint64_t>(value);
@@ -30,4 +30,4 @@ std::string Digest::text() const {
 
 void Digest::addByte(unsigned char byte) { hash_ = (hash_ ^ byte) * 0x100000001b3; }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <string>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// FNV-1a over 64 bits: tells accidental damage, not tampering. Same values, same digest on every
 /// machine.
@@ -22,4 +22,4 @@ class Digest {
   std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

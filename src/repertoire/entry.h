@@ -7,7 +7,7 @@
 #include "gait/outcome.h"
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What an entry did when it was executed after random predecessors (validation).
 struct Execution {
@@ -34,4 +34,4 @@ struct Entry {
   bool usable() const { return !execution || (execution->falls == 0 && execution->trials > 0); }
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

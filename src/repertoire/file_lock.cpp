@@ -10,7 +10,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string ownerNoted(int descriptor) {
@@ -68,4 +68,4 @@ void FileLock::writeNote() const {
   if (::pwrite(descriptor_, note.data(), note.size(), 0) < 0) return;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include <string>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Exclusive claim on a file between processes (and within one), for as long as this lives.
 ///
@@ -25,4 +25,4 @@ class FileLock {
   int descriptor_ = -1;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

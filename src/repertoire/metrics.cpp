@@ -6,7 +6,7 @@
 #include "geometry/arc.h"
 #include "repertoire/point_index.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 std::vector<Ending> learnedEndings(const std::vector<Entry>& entries) {
   std::vector<Ending> endings;
@@ -99,4 +99,4 @@ RepertoireMetrics measure(const std::vector<Ending>& endings, const RegionOfInte
   return metrics;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

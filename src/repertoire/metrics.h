@@ -6,7 +6,7 @@
 
 #include "repertoire/entry.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What a metric looks at: where a controller ends and how well aligned.
 struct Ending {
@@ -62,4 +62,4 @@ struct RepertoireMetrics {
 
 RepertoireMetrics measure(const std::vector<Ending>& endings, const RegionOfInterest& region = {});
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 template <typename Number>
@@ -44,4 +44,4 @@ std::optional<std::uint64_t> unsignedFromText(const std::string& text) {
   return numberFromText<std::uint64_t>(text);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A number as text with a decimal point in every locale; reading it back gives the same number.
 std::string toText(double number);
@@ -15,4 +15,4 @@ std::optional<double> doubleFromText(const std::string& text);
 std::optional<std::int64_t> integerFromText(const std::string& text);
 std::optional<std::uint64_t> unsignedFromText(const std::string& text);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdlib>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 PointIndex::PointIndex() : cells_(static_cast<std::size_t>(kCells) * kCells) {}
 
@@ -83,4 +83,4 @@ void PointIndex::scanRing(int column, int row, int ring, Query& query) const {
   }
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

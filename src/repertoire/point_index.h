@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A point of the plane that can be looked up by position.
 struct IndexedPoint {
@@ -67,4 +67,4 @@ class PointIndex {
   std::size_t size_ = 0;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 
 #include "repertoire/entry.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// One line of a learning run's history.
 struct HistoryRow {
@@ -34,4 +34,4 @@ struct Repertoire {
   std::vector<HistoryRow> history;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

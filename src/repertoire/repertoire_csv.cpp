@@ -4,7 +4,7 @@
 
 #include "repertoire/number_text.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string lineOf(const Entry& entry) {
@@ -34,4 +34,4 @@ void exportCsv(const Repertoire& repertoire, std::ostream& out) {
   for (const Entry& entry : entries) out << lineOf(entry) << '\n';
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

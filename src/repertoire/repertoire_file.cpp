@@ -9,7 +9,7 @@
 #include "repertoire/sound_database.h"
 #include "repertoire/sqlite.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 namespace fs = std::filesystem;
@@ -210,4 +210,4 @@ LearnerState loadLearnerState(const std::string& file) {
   return loadStoredRepertoire(file).learner_state;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

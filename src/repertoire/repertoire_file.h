@@ -5,7 +5,7 @@
 
 #include "repertoire/repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The hand-over between learning and walking: one SQLite 3 database per repertoire.
 ///
@@ -50,4 +50,4 @@ std::string digestOf(const std::vector<Entry>& entries);
 constexpr std::int64_t kMaxEntries = 1000000;
 constexpr std::int64_t kMaxGenes = 10000;
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

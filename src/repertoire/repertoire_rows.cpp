@@ -6,7 +6,7 @@
 #include "repertoire/digest.h"
 #include "repertoire/number_text.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 void add(const Pose2& pose, Digest& digest) {
@@ -95,4 +95,4 @@ std::string problemOf(const Entry& entry, std::size_t gene_count) {
   return entry.execution ? problemOf(*entry.execution) : "";
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "repertoire/repertoire_file.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What reader and writer of the repertoire file must agree on, beside its format.
 
@@ -31,4 +31,4 @@ std::string digestOf(const std::map<std::string, std::string>& meta,
 /// What is wrong with an entry: "" or "has ...". Shared, so that what is saved can be loaded.
 std::string problemOf(const Entry& entry, std::size_t gene_count);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -9,7 +9,7 @@
 #include "repertoire/number_text.h"
 #include "repertoire/repertoire_rows.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 namespace fs = std::filesystem;
@@ -226,4 +226,4 @@ void saveRepertoire(const std::string& file, const Repertoire& repertoire,
   RepertoireWriter(file).save(repertoire, learner_state);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

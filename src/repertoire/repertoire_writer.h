@@ -7,7 +7,7 @@
 #include "repertoire/repertoire_file.h"
 #include "repertoire/sqlite.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Writes one repertoire file, again and again, and keeps everybody else from writing it as long as
 /// it lives. One thread at a time. Numbers and rows do not depend on the locale.
@@ -42,4 +42,4 @@ class RepertoireWriter {
 void saveRepertoire(const std::string& file, const Repertoire& repertoire,
                     const LearnerState& learner_state = {});
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -10,7 +10,7 @@
 
 #include "repertoire/repertoire_file.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ std::string describeDamage(const std::string& path, const std::string& complaint
   return std::to_string(size) + " of " + std::to_string(page_size * pages) + " bytes" + kCutShort;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

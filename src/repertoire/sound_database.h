@@ -5,7 +5,7 @@
 
 #include "repertoire/sqlite.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// First half of loading a repertoire file: is this a whole database in our format at all? What is
 /// wrong is thrown by fail(), or as SqliteError for which describeDamage() finds better words.
@@ -30,4 +30,4 @@ void requireWhole(SqliteDatabase& database, const std::string& path);
 /// Why SQLite calls a file malformed: that it lost its end, most often, else SQLite's complaint.
 std::string describeDamage(const std::string& path, const std::string& complaint);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include <sqlite3.h>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr int kBusyTimeoutMs = 5000;
@@ -137,4 +137,4 @@ SqliteTransaction::~SqliteTransaction() {
 
 void SqliteTransaction::commit() { database_.execute("COMMIT"); }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 struct sqlite3;
 struct sqlite3_stmt;
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What SQLite refused to do, in its words.
 class SqliteError : public std::runtime_error {
@@ -95,4 +95,4 @@ class SqliteTransaction {
   SqliteDatabase& database_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

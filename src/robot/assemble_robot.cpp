@@ -7,7 +7,7 @@
 #include "common/options.h"
 #include "robot/urdf_bodies.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string typeName(int type) {
@@ -198,4 +198,4 @@ RobotDescription assembleRobot(const RobotSources& sources, Problems& problems) 
   return Assembly(sources, problems).assemble();
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 #include "robot/robot_config.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A robot's URDF and YAML, read without problems, and the names of the files for messages.
 struct RobotSources {
@@ -22,4 +22,4 @@ struct RobotSources {
 /// `problems`; the result is then incomplete.
 RobotDescription assembleRobot(const RobotSources& sources, Problems& problems);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

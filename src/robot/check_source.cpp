@@ -9,7 +9,7 @@
 #include <iterator>
 #include <utility>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::uintmax_t kMaxBytes = 4 << 20;
@@ -115,4 +115,4 @@ bool isReadable(const std::string& text, const std::string& source, const std::s
   return false;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

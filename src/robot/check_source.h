@@ -4,7 +4,7 @@
 
 #include "robot/problems.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The content of a regular file. Anything else, or more than a description ever needs (4 MiB), is
 /// a problem and gives an empty text.
@@ -15,4 +15,4 @@ std::string readSource(const std::string& file, Problems& problems);
 bool isReadable(const std::string& text, const std::string& source, const std::string& kind,
                 Problems& problems);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include <locale>
 #include <sstream>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Collects the canonical text, one value a line.
@@ -96,4 +96,4 @@ std::string digestOf(const RobotDescription& robot) {
   return digits.str();
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

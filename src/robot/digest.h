@@ -4,7 +4,7 @@
 
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// 16 hexadecimal digits that stand for a description: FNV-1a (64 bits) over every field but
 /// `digest`, written as text in a fixed order. Comments and layout of the files play no part.
@@ -12,4 +12,4 @@ namespace hexapod_repertoire {
 /// differ between mathematics libraries, and a robot keeps its id on every machine.
 std::string digestOf(const RobotDescription& robot);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 #include "robot/robot_config.h"
 #include "robot/urdf_bodies.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 RobotDescription loadRobot(const std::string& urdf_file, const std::string& yaml_file) {
   Problems problems;
@@ -30,4 +30,4 @@ RobotDescription parseRobot(const std::string& urdf_text, const std::string& yam
   return robot;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Reads a robot from its URDF (bodies, joints, limits) and its YAML (legs, gait, servo, contact;
 /// config/hexapod.yaml documents every key).
@@ -21,4 +21,4 @@ RobotDescription loadRobot(const std::string& urdf_file, const std::string& yaml
 RobotDescription parseRobot(const std::string& urdf_text, const std::string& yaml_text,
                             const std::string& urdf_name, const std::string& yaml_name);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

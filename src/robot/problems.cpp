@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 void Problems::add(const std::string& source, const std::string& sentence) {
   const std::string whole = source + ": " + sentence;
@@ -28,4 +28,4 @@ std::string numberText(double value) {
   return text.str();
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

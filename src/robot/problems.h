@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// The sentences about everything that is wrong with a robot's files, so that all are told at once.
 class Problems {
@@ -23,4 +23,4 @@ class Problems {
 /// A number for a sentence: 6 significant digits, decimal point in every locale.
 std::string numberText(double value);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

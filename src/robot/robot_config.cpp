@@ -6,7 +6,7 @@
 #include "robot/check_source.h"
 #include "robot/yaml_section.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // One reading of one file: the names for messages and where problems go.
@@ -132,4 +132,4 @@ RobotConfig parseRobotConfig(const std::string& text, const std::string& source,
   return config;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

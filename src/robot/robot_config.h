@@ -6,7 +6,7 @@
 #include "robot/problems.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A joint of a leg as the YAML names it.
 struct JointConfig {
@@ -35,4 +35,4 @@ struct RobotConfig {
 RobotConfig parseRobotConfig(const std::string& text, const std::string& source,
                              Problems& problems);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

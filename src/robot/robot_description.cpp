@@ -1,6 +1,6 @@
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 std::size_t RobotDescription::jointCount() const {
   std::size_t count = 0;
@@ -28,4 +28,4 @@ std::vector<double> RobotDescription::neutralPose() const {
   return angles_rad;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

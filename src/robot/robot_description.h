@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A collision primitive, posed in its body's frame. A URDF cylinder is simulated as the capsule of
 /// the same overall length and radius (URDF has no capsule, and a capsule's contact with the floor
@@ -101,4 +101,4 @@ struct RobotDescription {
   std::size_t geneCount() const { return 4 * legs.size(); }
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 
 #include "robot/check_source.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Catches urdfdom's console messages while it lives.
@@ -210,4 +210,4 @@ LumpedBody lumpFixedLinks(const urdf::Link& link, const std::string& source, Pro
   return Lumper(source, problems).lump(link);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -10,7 +10,7 @@
 #include "robot/problems.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Parses a URDF text with urdfdom, whose console messages become sentences in `problems`.
 /// Null when there is a problem. Not to be called from two threads at once: urdfdom's console is
@@ -31,4 +31,4 @@ struct LumpedBody {
 /// unknown kind, and for a body without mass.
 LumpedBody lumpFixedLinks(const urdf::Link& link, const std::string& source, Problems& problems);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "common/options.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string described(const YAML::Node& node) {
@@ -129,4 +129,4 @@ std::string YamlSection::fullKey(const std::string& key) const {
   return path_ + (path_.empty() || key.empty() ? "" : ".") + key;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

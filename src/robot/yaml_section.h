@@ -8,7 +8,7 @@
 
 #include "robot/problems.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A mapping of a YAML file, read strictly: every key that is asked for must be there with the
 /// right type and range, every key that is there must be asked for before finish().
@@ -54,4 +54,4 @@ class YamlSection {
   std::vector<std::string> known_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

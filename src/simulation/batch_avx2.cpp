@@ -1,8 +1,8 @@
 #include "simulation/batch_kernels.h"
 #include "simulation/reduced_lane_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 Stepper* makeAvx2Stepper(const ReducedModel& model) { return makeStepper<Lanes<4>>(model); }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

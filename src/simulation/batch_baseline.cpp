@@ -1,8 +1,8 @@
 #include "simulation/batch_kernels.h"
 #include "simulation/reduced_lane_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 Stepper* makeBaselineStepper(const ReducedModel& model) { return makeStepper<Lanes<2>>(model); }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

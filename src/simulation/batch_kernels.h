@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 // One per source file compiled for a kind of processor; call only on such a processor. The caller
 // owns the result.
@@ -10,4 +10,4 @@ Stepper* makeBaselineStepper(const ReducedModel& model);
 Stepper* makeAvx2Stepper(const ReducedModel& model);
 Stepper* makeAvx512Stepper(const ReducedModel& model);
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -10,7 +10,7 @@
 #include "simulation/reduced_world.h"
 #include "simulation/rollout.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 void checkRuns(const std::vector<BatchRun>& runs, std::size_t values) {
@@ -128,4 +128,4 @@ std::vector<BatchResult> BatchRollout::play(const std::vector<BatchRun>& runs,
   return Conveyor(*model_, *stepper_, settled_, runs, steps).run(physics_.step_s);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

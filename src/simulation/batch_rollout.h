@@ -8,7 +8,7 @@
 #include "simulation/batch_stepper.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// One behaviour to play, and the state it starts from; nullptr: the settled stand.
 struct BatchRun {
@@ -53,4 +53,4 @@ class BatchRollout {
   WorldState settled_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 
 #include "simulation/batch_kernels.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 std::string toString(InstructionSet instructions) {
   switch (instructions) {
@@ -49,4 +49,4 @@ std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model, Instruction
   return std::unique_ptr<Stepper>(makeBaselineStepper(model));
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

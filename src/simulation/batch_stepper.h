@@ -6,7 +6,7 @@
 
 #include "simulation/reduced_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// The instruction sets the batched step is built for. All give the same bits.
 enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
@@ -24,4 +24,4 @@ InstructionSet bestInstructionSet();
 /// must outlive it. Throws std::invalid_argument when the instruction set is not available.
 std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model, InstructionSet instructions);
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

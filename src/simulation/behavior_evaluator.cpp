@@ -5,7 +5,7 @@
 
 #include "simulation/rollout.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 Outcome playFromStand(World& world, const Genome& genome, const BehaviorOptions& options) {
@@ -55,4 +55,4 @@ std::vector<Outcome> BehaviorEvaluator::evaluate(const std::vector<Genome>& geno
   return outcomes;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

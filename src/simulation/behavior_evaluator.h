@@ -9,7 +9,7 @@
 #include "gait/behavior.h"
 #include "simulation/world_pool.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How many behaviours were simulated and how they ended.
 struct SimulationCounts {
@@ -46,4 +46,4 @@ class BehaviorEvaluator : public Evaluator {
   SimulationCounts counts_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

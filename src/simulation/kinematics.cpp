@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 std::vector<Eigen::Isometry3d> baseFromBodies(const RobotDescription& robot,
                                               const std::vector<double>& angles_rad) {
@@ -61,4 +61,4 @@ double standingHeight(const RobotDescription& robot) {
   return -lowest_m;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

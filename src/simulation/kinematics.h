@@ -5,7 +5,7 @@
 
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Poses of all bodies in the frame of the base, at the given joint angles [rad, in joint order]:
 /// the base itself (identity) first, then the segments in joint order.
@@ -22,4 +22,4 @@ double lowestPoint(const Shape& shape, const Eigen::Isometry3d& world_from_shape
 /// with its lowest shape just touching. Throws std::invalid_argument when it has no shape at all.
 double standingHeight(const RobotDescription& robot);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -3,7 +3,12 @@
 #include "simulation/ode_world.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
+
+Engine engineFromName(const std::string& name) {
+  if (name == "ode") return Engine::kOde;
+  throw std::invalid_argument("'engine' is '" + name + "', expected ode.");
+}
 
 std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
                                  const Physics& physics) {
@@ -14,4 +19,4 @@ std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
   throw std::invalid_argument("Unknown simulation engine.");
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -16,7 +16,7 @@
 
 // ODE lives in this one file: the library's life, a robot built in it, and the world around that.
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr int kMaxContactsPerPair = 10;
@@ -403,4 +403,4 @@ void OdeWorld::jointAngles(std::vector<double>& angles_rad) const {
   for (std::size_t j = 0; j < angles_rad.size(); ++j) angles_rad[j] = ode_->angle_rad(j);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

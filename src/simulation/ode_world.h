@@ -6,7 +6,7 @@
 
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 class OdeRobot;
 
@@ -65,4 +65,4 @@ class OdeWorld : public World {
   WorldState settled_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 void checkRange(const char* name, double value, double min, double max) {
@@ -61,4 +61,4 @@ bool isAbsurd(const Eigen::Vector3d& position_m, const Eigen::Vector3d& velocity
          !(rate_rad_per_s.norm() <= kAbsurdRate_rad_per_s);
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include "robot/robot_description.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What every engine shares of the rules a world follows (world.h).
 
@@ -33,4 +33,4 @@ Eigen::Vector3d gravityOnFloor(const Physics& physics);
 bool isAbsurd(const Eigen::Vector3d& position_m, const Eigen::Vector3d& velocity_m_per_s,
               const Eigen::Vector3d& rate_rad_per_s);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_real.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Vectors, rotations and symmetric matrices over any Real (double or Lanes). Constants of the
 /// robot are Vec3<double> and mix freely with Vec3<Real>.
@@ -145,4 +145,4 @@ inline Vec3<Real> velocityAt(const Spatial<Real>& motion, const Vec3<Real>& arm)
   return motion.linear + cross(motion.angular, arm);
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_algebra.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// atan2(y, x) for y >= 0, x >= 0, not both 0, to about one unit in the last place; the same bits
 /// in every lane of every width, which the C library does not promise.
@@ -49,4 +49,4 @@ inline Real hingeAngle(const Quaternion<Real>& child, const Quaternion<Real>& pa
   return half * select<Real>(turned.w >= 0.0, flip, -flip);
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

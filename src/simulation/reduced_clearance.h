@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_tree.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// A capsule of a leg in the world: center line and half length.
 template <typename Real>
@@ -131,4 +131,4 @@ class LegClearance {
   unsigned placed_;
 };
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_tree.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// One sphere on the floor (7): three rows, velocity of the contact point along x, y (friction) and
 /// z (normal). In a batch: of all robots whose sphere touches; the others' weights are zero.
@@ -82,4 +82,4 @@ inline void findContacts(const ReducedModel& model, const State<Real>& state, do
   }
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

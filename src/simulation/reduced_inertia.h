@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_kinematics.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Inertia of one or several bodies about O (4): mass, first moment, second moment.
 template <typename Real>
@@ -72,4 +72,4 @@ inline void bodyTerms(const ReducedModel& model, const BodyModel& body,
                      about_center * correction.angular + cross(arm, momentum.linear);
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

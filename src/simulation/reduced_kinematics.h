@@ -3,7 +3,7 @@
 #include "simulation/reduced_angle.h"
 #include "simulation/reduced_state.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// The parts of a step that follow from the poses alone; section numbers are those of
 /// doc/reduced_dynamics.md.
@@ -52,4 +52,4 @@ inline void placeSegment(const JointModel& joint, const BodyState<Real>& parent_
   correction = correction + Spatial<Real>{turn, rate * gap + cross(hinge.anchor, turn)};
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

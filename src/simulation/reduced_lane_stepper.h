@@ -3,7 +3,7 @@
 #include "simulation/reduced_step.h"
 #include "simulation/reduced_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Stepper of kLanesIn<Real> robots with `kSegments` joints per leg.
 ///
@@ -68,4 +68,4 @@ inline Stepper* makeStepper(const ReducedModel& model) {
   }
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

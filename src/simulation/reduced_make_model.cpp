@@ -9,7 +9,7 @@
 #include "simulation/kinematics.h"
 #include "simulation/physics.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 namespace {
 
 constexpr double kMinCompliance = 1e-6;  // of contacts: they are springs to this engine
@@ -228,4 +228,4 @@ Eigen::Isometry3d worldFromBase(const ReducedModel& model, const double* v) {
   return world_from_base;
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

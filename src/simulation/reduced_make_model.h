@@ -6,7 +6,7 @@
 #include "simulation/reduced_model.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Empty when the engine covers this description; otherwise the sentence that says why not.
 std::string whyNotCovered(const RobotDescription& robot);
@@ -17,4 +17,4 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics);
 /// Pose of the base's link from the first values of a state.
 Eigen::Isometry3d worldFromBase(const ReducedModel& model, const double* state_values);
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_algebra.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Largest robot the engine takes.
 constexpr int kMaxLegs = 8;
@@ -78,4 +78,4 @@ struct ReducedModel {
   double absurd_rate = 0.0;      ///< [rad/s]
 };
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// `kCount` doubles that are added, multiplied and compared element by element: GCC's vector
 /// extension, one SIMD register where the target has one of that size.
@@ -108,4 +108,4 @@ inline Real larger(const Real& a, const Real& b) {
   return select<Real>(a > b, a, b);
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

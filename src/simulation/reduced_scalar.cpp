@@ -1,9 +1,9 @@
 #include "simulation/reduced_lane_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 Stepper::~Stepper() = default;
 
 Stepper* makeScalarStepper(const ReducedModel& model) { return makeStepper<double>(model); }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_system.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Rows of motors and stops: which are at a bound, and what follows (8).
 template <typename Real, int kSegments>
@@ -39,9 +39,10 @@ class Solver {
   void start();
   void solveRows(bool friction);
   void boundFriction();
-  void solveSets();
-  void fillContact(const Contact& contact);
-  void fillLegs();
+  void solveSets(bool friction);
+  void fillContact(const Contact& contact, bool friction);
+  void resetLegs();
+  void eliminateLegs();
   void checkContacts(bool friction);
   void checkHinges(int leg);
   void checkFriction(const Real& impulse, const Real& bound, Real& at_bound, Mask<Real>& free,
@@ -108,7 +109,7 @@ template <typename Real, int kSegments>
 void Solver<Real, kSegments>::solveRows(bool friction) {
   one_by_one_ = false;
   for (int round = 0; round < kMaxRounds; ++round) {
-    solveSets();
+    solveSets(friction);
     changed_ = noLanes<Real>();
     one_by_one_ = round >= kBlockRounds;
     checkContacts(friction);
@@ -131,13 +132,11 @@ void Solver<Real, kSegments>::boundFriction() {
 
 // Base motion and deviations that the present sets give.
 template <typename Real, int kSegments>
-void Solver<Real, kSegments>::solveSets() {
+void Solver<Real, kSegments>::solveSets(bool friction) {
   base_.reset(tree_->inertia, free_momentum_);
-  for (int i = 0; i < model_->legs; ++i) {
-    if (rows_[i].gives_way) legs_[i].reset(tree_->leg[i], rows_[i].momentum);
-  }
-  for (int i = 0; i < contacts_->count; ++i) fillContact(contacts_->contact[i]);
-  fillLegs();
+  resetLegs();
+  for (int i = 0; i < contacts_->count; ++i) fillContact(contacts_->contact[i], friction);
+  eliminateLegs();
   motion_ = base_.solution();
   for (int i = 0; i < model_->legs; ++i) {
     if (rows_[i].gives_way) legs_[i].deviations(motion_, rows_[i].deviation);
@@ -145,34 +144,48 @@ void Solver<Real, kSegments>::solveSets() {
 }
 
 template <typename Real, int kSegments>
-void Solver<Real, kSegments>::fillContact(const Contact& contact) {
-  const Real zero = Real();
-  const Vec3<Real> weight{select<Real>(contact.free_x, friction_weight_, zero),
-                          select<Real>(contact.free_y, friction_weight_, zero),
-                          select<Real>(contact.free_z, normal_weight_, zero)};
-  const Vec3<Real> impulse{
-      select<Real>(contact.free_x, friction_weight_ * contact.wanted.x, contact.impulse.x),
-      select<Real>(contact.free_y, friction_weight_ * contact.wanted.y, contact.impulse.y),
-      select<Real>(contact.free_z, normal_weight_ * contact.wanted.z, zero)};
-  base_.addPoint(weight, contact.arm);
-  base_.right = base_.right + Spatial<Real>{cross(contact.arm, impulse), impulse};
-  if (contact.leg < 0 || !rows_[contact.leg].gives_way) return;
-  legs_[contact.leg].addPoint(weight, contact.arm, contact.lever, impulse);
+void Solver<Real, kSegments>::resetLegs() {
+  for (int i = 0; i < model_->legs; ++i) {
+    const LegRows<Real, kSegments>& rows = rows_[i];
+    if (!rows.gives_way) continue;
+    Mask<Real> gives_way[kSegments];
+    for (int s = 0; s < kSegments; ++s) gives_way[s] = rows.at_low[s] | rows.at_high[s];
+    legs_[i].reset(tree_->leg[i], rows.momentum, gives_way);
+  }
 }
 
 template <typename Real, int kSegments>
-void Solver<Real, kSegments>::fillLegs() {
+void Solver<Real, kSegments>::fillContact(const Contact& contact, bool friction) {
+  const Real zero = Real();
+  const auto weight = [&](const Mask<Real>& free, const Real& of_row) {
+    return select<Real>(free, of_row, zero);
+  };
+  Vec3<Real> weights{zero, zero, weight(contact.free_z, normal_weight_)};
+  Vec3<Real> impulse{zero, zero, weights.z * contact.wanted.z};
+  if (friction) {
+    weights.x = weight(contact.free_x, friction_weight_);
+    weights.y = weight(contact.free_y, friction_weight_);
+    impulse.x = weights.x * contact.wanted.x + contact.impulse.x;
+    impulse.y = weights.y * contact.wanted.y + contact.impulse.y;
+    base_.addPoint(weights, contact.arm, impulse);
+  } else {
+    base_.addNormal(weights.z, contact.arm, impulse.z);
+  }
+  if (contact.leg < 0 || !rows_[contact.leg].gives_way) return;
+  legs_[contact.leg].addPoint(weights, contact.arm, contact.lever, impulse);
+}
+
+template <typename Real, int kSegments>
+void Solver<Real, kSegments>::eliminateLegs() {
   for (int i = 0; i < model_->legs; ++i) {
-    LegRows<Real, kSegments>& rows = rows_[i];
+    const LegRows<Real, kSegments>& rows = rows_[i];
+    const LegTerms<Real, kSegments>& leg = tree_->leg[i];
     if (!rows.gives_way) continue;
-    Mask<Real> gives_way[kSegments];
     Real impulse[kSegments];
     for (int s = 0; s < kSegments; ++s) {
-      gives_way[s] = rows.at_low[s] | rows.at_high[s];
-      impulse[s] = select<Real>(rows.at_low[s], tree_->leg[i].low[s], tree_->leg[i].high[s]);
+      impulse[s] = select<Real>(rows.at_low[s], leg.low[s], leg.high[s]);
     }
-    legs_[i].keep(gives_way, impulse);
-    legs_[i].eliminate(base_);
+    legs_[i].eliminate(impulse, base_);
   }
 }
 
@@ -265,4 +278,4 @@ void Solver<Real, kSegments>::checkHinges(int index) {
   }
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_model.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// The state ODE keeps of a body, too: where its centre of mass is and how it moves, in the world.
 template <typename Real>
@@ -45,4 +45,4 @@ inline void forEachValue(const ReducedModel& model, State<Real>& state, const Us
   }
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -3,7 +3,7 @@
 #include "simulation/reduced_clearance.h"
 #include "simulation/reduced_solver.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// What a step sees at the poses it starts from, and whether the state it ends in is absurd.
 template <typename Real>
@@ -114,4 +114,4 @@ inline StepFindings<Real> advance(const ReducedModel& model, double step,
   return findings;
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

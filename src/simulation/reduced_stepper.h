@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_model.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// What the poses a step started from and the state it ended in say about one robot.
 struct LaneFindings {
@@ -36,4 +36,4 @@ class Stepper {
 /// The stepper of a single robot. The model must outlive it. The caller owns the result.
 Stepper* makeScalarStepper(const ReducedModel& model);
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -2,7 +2,7 @@
 
 #include "simulation/reduced_contacts.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// Symmetric positive definite system of n equations, lower triangle, factored L D L^T in place.
 template <typename Real, int n>
@@ -57,8 +57,9 @@ struct BaseSystem : SymmetricSystem<Real, 6> {
     right = momentum;
   }
 
-  /// Adds springs of the given weights along x, y, z at `arm`: J^T W J.
-  void addPoint(const Vec3<Real>& weight, const Vec3<Real>& arm) {
+  /// Adds springs of the given weights along x, y, z at `arm`, J^T W J, and an impulse there.
+  void addPoint(const Vec3<Real>& weight, const Vec3<Real>& arm, const Vec3<Real>& impulse) {
+    right = right + Spatial<Real>{cross(arm, impulse), impulse};
     auto& a = this->a;
     const Vec3<Real>&w = weight, &c = arm;
     const Real xz = w.x * c.z, xy = w.x * c.y, yz = w.y * c.z, yx = w.y * c.x;
@@ -73,6 +74,20 @@ struct BaseSystem : SymmetricSystem<Real, 6> {
     a[4][0] = a[4][0] - yz, a[4][2] = a[4][2] + yx;
     a[5][0] = a[5][0] + zy, a[5][1] = a[5][1] - zx;
     a[3][3] = a[3][3] + w.x, a[4][4] = a[4][4] + w.y, a[5][5] = a[5][5] + w.z;
+  }
+
+  /// The same along z alone, with the impulse along z.
+  void addNormal(const Real& weight, const Vec3<Real>& arm, const Real& impulse) {
+    auto& a = this->a;
+    const Real zx = weight * arm.x, zy = weight * arm.y;
+    a[0][0] = a[0][0] + zy * arm.y;
+    a[1][1] = a[1][1] + zx * arm.x;
+    a[1][0] = a[1][0] - zx * arm.y;
+    a[5][0] = a[5][0] + zy, a[5][1] = a[5][1] - zx;
+    a[5][5] = a[5][5] + weight;
+    right.angular.x = right.angular.x + arm.y * impulse;
+    right.angular.y = right.angular.y - arm.x * impulse;
+    right.linear.z = right.linear.z + impulse;
   }
 
   /// Subtracts factor * column column^T.
@@ -101,18 +116,21 @@ struct BaseSystem : SymmetricSystem<Real, 6> {
   }
 };
 
-/// The equations of one leg's hinges whose motors give way, to be eliminated from the base's (8).
-/// A hinge that follows its motor has the row "deviation = 0" instead.
+/// The equations of one leg's hinges that give way, to be eliminated from the base's (8). A hinge
+/// that follows its motor has no row; in a lane where only others' hinge s gives way, the row says
+/// that its deviation is zero.
 template <typename Real, int kSegments>
-struct LegSystem : SymmetricSystem<Real, kSegments> {
-  Spatial<Real> coupling[kSegments];
-  Real right[kSegments];
-
-  void reset(const LegTerms<Real, kSegments>& leg, const Real (&momentum)[kSegments]) {
+class LegSystem {
+ public:
+  /// `gives_way` for each hinge: in which lanes.
+  void reset(const LegTerms<Real, kSegments>& leg, const Real (&momentum)[kSegments],
+             const Mask<Real> (&gives_way)[kSegments]) {
     for (int s = 0; s < kSegments; ++s) {
-      for (int t = 0; t <= s; ++t) this->a[s][t] = leg.inertia[s][t];
-      coupling[s] = leg.coupling[s];
-      right[s] = momentum[s];
+      gives_way_[s] = gives_way[s];
+      used_[s] = any<Real>(gives_way[s]);
+      for (int t = 0; t <= s; ++t) a_[s][t] = leg.inertia[s][t];
+      coupling_[s] = leg.coupling[s];
+      right_[s] = momentum[s];
     }
   }
 
@@ -120,55 +138,72 @@ struct LegSystem : SymmetricSystem<Real, kSegments> {
   void addPoint(const Vec3<Real>& weight, const Vec3<Real>& arm,
                 const Vec3<Real> (&lever)[kSegments], const Vec3<Real>& impulse) {
     for (int s = 0; s < kSegments; ++s) {
+      if (!used_[s]) continue;
       const Vec3<Real> pull{weight.x * lever[s].x, weight.y * lever[s].y, weight.z * lever[s].z};
-      for (int t = 0; t <= s; ++t) this->a[s][t] = this->a[s][t] + dot(pull, lever[t]);
-      coupling[s] = coupling[s] + Spatial<Real>{cross(arm, pull), pull};
-      right[s] = right[s] + dot(lever[s], impulse);
+      for (int t = 0; t <= s; ++t) a_[s][t] = a_[s][t] + dot(pull, lever[t]);
+      coupling_[s] = coupling_[s] + Spatial<Real>{cross(arm, pull), pull};
+      right_[s] = right_[s] + dot(lever[s], impulse);
     }
   }
 
-  /// Keeps only the hinges that give way, each driven by its motor's bound.
-  void keep(const Mask<Real> (&gives_way)[kSegments], const Real (&impulse)[kSegments]) {
-    const Real zero = Real(), one = splat<Real>(1.0);
+  /// Drives each hinge with its motor's bound and takes the leg out of the base's equations.
+  void eliminate(const Real (&impulse)[kSegments], BaseSystem<Real>& base) {
     for (int s = 0; s < kSegments; ++s) {
+      if (!used_[s]) continue;
+      maskRow(s, impulse[s]);
+      Real pivot = a_[s][s];
       for (int t = 0; t < s; ++t) {
-        this->a[s][t] = select<Real>(gives_way[s] & gives_way[t], this->a[s][t], zero);
+        if (!used_[t]) continue;
+        for (int k = 0; k < t; ++k) {
+          if (used_[k]) a_[s][t] = a_[s][t] - a_[s][k] * a_[t][k];
+        }
       }
-      this->a[s][s] = select<Real>(gives_way[s], this->a[s][s], one);
-      keepOnly(gives_way[s], coupling[s].angular);
-      keepOnly(gives_way[s], coupling[s].linear);
-      right[s] = select<Real>(gives_way[s], right[s] + impulse[s], zero);
-    }
-  }
-
-  /// Factors, and takes the leg out of the base's equations.
-  void eliminate(BaseSystem<Real>& base) {
-    this->factor();
-    for (int s = 0; s < kSegments; ++s) {
       for (int t = 0; t < s; ++t) {
-        coupling[s] = coupling[s] - this->a[s][t] * coupling[t];
-        right[s] = right[s] - this->a[s][t] * right[t];
+        if (!used_[t]) continue;
+        const Real scaled = a_[s][t] * reciprocal_[t];
+        pivot = pivot - a_[s][t] * scaled;
+        a_[s][t] = scaled;
+        coupling_[s] = coupling_[s] - scaled * coupling_[t];
+        right_[s] = right_[s] - scaled * right_[t];
       }
-      base.subtractSquare(this->reciprocal[s], coupling[s]);
-      base.right = base.right - Real(this->reciprocal[s] * right[s]) * coupling[s];
+      reciprocal_[s] = 1.0 / pivot;
+      base.subtractSquare(reciprocal_[s], coupling_[s]);
+      base.right = base.right - Real(reciprocal_[s] * right_[s]) * coupling_[s];
     }
   }
 
   /// Deviations of the joint velocities from the motors' for a known motion of the base.
   void deviations(const Spatial<Real>& motion, Real (&deviation)[kSegments]) const {
     for (int s = kSegments - 1; s >= 0; --s) {
-      deviation[s] = (right[s] - dot(coupling[s], motion)) * this->reciprocal[s];
+      deviation[s] = Real();
+      if (!used_[s]) continue;
+      deviation[s] = (right_[s] - dot(coupling_[s], motion)) * reciprocal_[s];
       for (int t = s + 1; t < kSegments; ++t) {
-        deviation[s] = deviation[s] - this->a[t][s] * deviation[t];
+        if (used_[t]) deviation[s] = deviation[s] - a_[t][s] * deviation[t];
       }
     }
   }
 
  private:
-  static void keepOnly(const Mask<Real>& mask, Vec3<Real>& v) {
-    v = {select<Real>(mask, v.x, Real()), select<Real>(mask, v.y, Real()),
-         select<Real>(mask, v.z, Real())};
+  void maskRow(int s, const Real& impulse) {
+    const Mask<Real>& mask = gives_way_[s];
+    for (int t = 0; t < s; ++t) {
+      a_[s][t] = select<Real>(mask & gives_way_[t], a_[s][t], Real());
+    }
+    a_[s][s] = select<Real>(mask, a_[s][s], splat<Real>(1.0));
+    for (Vec3<Real>* part : {&coupling_[s].angular, &coupling_[s].linear}) {
+      *part = {select<Real>(mask, part->x, Real()), select<Real>(mask, part->y, Real()),
+               select<Real>(mask, part->z, Real())};
+    }
+    right_[s] = select<Real>(mask, right_[s] + impulse, Real());
   }
+
+  Mask<Real> gives_way_[kSegments];
+  bool used_[kSegments];          // in any lane
+  Real a_[kSegments][kSegments];  // lower triangle, L D L^T in place
+  Real reciprocal_[kSegments];    // 1 / D
+  Spatial<Real> coupling_[kSegments];
+  Real right_[kSegments];
 };
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

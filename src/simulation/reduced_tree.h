@@ -4,7 +4,7 @@
 
 #include "simulation/reduced_inertia.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// One leg's share of the equations of a step (5). `kSegments` hinges.
 template <typename Real, int kSegments>
@@ -105,4 +105,4 @@ inline void assembleTree(const ReducedModel& model, const State<Real>& state, do
   for (int leg = 0; leg < model.legs; ++leg) assembleLeg(model, state, leg, step, tree);
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

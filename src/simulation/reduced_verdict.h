@@ -3,7 +3,7 @@
 #include "gait/outcome.h"
 #include "simulation/reduced_stepper.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 
 /// The verdict of a step, in the order in which OdeWorld looks.
 inline Verdict verdictOf(const LaneFindings& findings) {
@@ -12,4 +12,4 @@ inline Verdict verdictOf(const LaneFindings& findings) {
   return findings.collided ? Verdict::kSelfCollided : Verdict::kWalked;
 }
 
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -13,7 +13,7 @@
 #include "simulation/reduced_verdict.h"
 #include "simulation/standing_state.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 [[noreturn]] void throwDoesNotStand(const RobotDescription& robot, Verdict verdict, double time_s) {
@@ -122,4 +122,4 @@ bool coversRobot(const RobotDescription& robot, std::string& reason) {
   return reason.empty();
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 namespace reduced {
 struct ReducedModel;
@@ -64,4 +64,4 @@ class ReducedWorld : public World {
 /// why not and to use ODE.
 bool coversRobot(const RobotDescription& robot, std::string& reason);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

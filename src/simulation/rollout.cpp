@@ -8,7 +8,7 @@
 
 #include "geometry/pose2.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 Outcome failed(Verdict verdict) {
@@ -44,4 +44,4 @@ Outcome play(World& world, const Behavior& behavior, double command_period_s) {
   return walkedTo(inverse(world_from_start) * footprint(world.worldFromBase()));
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

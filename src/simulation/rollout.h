@@ -6,7 +6,7 @@
 #include "gait/outcome.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Plays one behaviour from the world's present state and returns its end pose relative to the
 /// footprint it started from. Stops at the first failure; the world is then left as it is.
@@ -16,4 +16,4 @@ Outcome play(World& world, const Behavior& behavior, double command_period_s);
 /// How many steps a command holds. Throws std::invalid_argument when that is no whole number.
 std::size_t stepsPerCommand(double command_period_s, double step_s);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include "geometry/pose2.h"
 #include "simulation/kinematics.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::array<double, 4> coefficients(const Eigen::Quaterniond& q) {
@@ -54,4 +54,4 @@ WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldStat
   return state;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

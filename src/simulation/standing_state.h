@@ -3,7 +3,7 @@
 #include "robot/robot_description.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// States as both engines have them: per body (base, then segments in joint order) the position of
 /// its centre of mass [m], quaternion (w, x, y, z), velocity [m/s] and rate [rad/s]; then the joint
@@ -17,4 +17,4 @@ WorldState standingState(const RobotDescription& robot);
 WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldState state,
                              std::size_t body_count);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

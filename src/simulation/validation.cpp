@@ -10,7 +10,7 @@
 #include "common/random.h"
 #include "simulation/rollout.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Predecessors drawn for one place in a chain until one walks; then the place stays empty.
@@ -156,4 +156,4 @@ Execution summarize(const std::vector<Outcome>& outcomes) {
   return execution;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

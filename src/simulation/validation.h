@@ -12,7 +12,7 @@
 #include "repertoire/entry.h"
 #include "simulation/world_pool.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// How often and from where every genome is executed.
 struct ValidationOptions {
@@ -49,4 +49,4 @@ std::vector<Execution> validate(WorldPool& worlds, const BehaviorOptions& behavi
 /// of their unit vectors. Without any that walked, mean and spread are 0.
 Execution summarize(const std::vector<Outcome>& outcomes);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 #include "gait/outcome.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// What can differ from the nominal world: the step of the integrator and scales on the robot
 /// description's own values. The reality gap, on purpose.
@@ -65,9 +65,13 @@ class World {
 /// Which implementation of World.
 enum class Engine { kOde };
 
+/// The engine of a name, the choice of the option `engine`: "ode". Throws std::invalid_argument
+/// naming the known ones.
+Engine engineFromName(const std::string& name);
+
 /// Builds a world. The description is copied in. Throws std::invalid_argument when a physics value
 /// is out of range (naming it).
 std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
                                  const Physics& physics);
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -15,7 +15,7 @@
 
 #include "simulation/physics.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr int kMaxThreads = 1024;
@@ -85,4 +85,4 @@ void WorldPool::forEach(std::size_t count, const std::function<void(World&, std:
   });
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 #include "robot/robot_description.h"
 #include "simulation/world.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// One World per thread, all alike, kept for as long as the pool lives.
 ///
@@ -42,4 +42,4 @@ class WorldPool {
   std::unique_ptr<Threads> threads_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

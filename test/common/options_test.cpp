@@ -7,7 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 struct Sample {
@@ -124,4 +124,4 @@ TEST_F(YamlFile, NamesFileAndLineOfWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <array>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Random, IsTheStandardsMersenneTwister) {
@@ -44,4 +44,4 @@ TEST(Random, UniformStaysInItsInterval) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

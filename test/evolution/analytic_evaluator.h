@@ -8,7 +8,7 @@
 #include "common/random.h"
 #include "evolution/evaluator.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A smooth stand-in for the simulation: forward, sideways and turning speed are linear in the gene
 /// values with random weights; a genome falls when one sum of its genes is large.
@@ -49,4 +49,4 @@ class AnalyticEvaluator : public Evaluator {
   std::vector<std::array<double, 4>> weights_;
 };
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -10,7 +10,7 @@
 #include "analytic_evaluator.h"
 #include "repertoire/metrics.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::size_t kGenes = 24;
@@ -276,4 +276,4 @@ TEST(BrEvolution, WithoutMutationChildrenAreTheirParents) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include "analytic_evaluator.h"
 #include "evolution/br_evolution.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string complaintAbout(const EvolutionOptions& options) {
@@ -51,4 +51,4 @@ TEST(EvolutionOptions, OutOfRangeIsRefusedNamingKeyValueAndRange) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

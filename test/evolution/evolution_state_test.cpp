@@ -9,7 +9,7 @@
 #include "analytic_evaluator.h"
 #include "evolution/br_evolution.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::map<std::int64_t, Genome> contentOf(const Archive& archive) {
@@ -98,4 +98,4 @@ TEST(EvolutionState, ThatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

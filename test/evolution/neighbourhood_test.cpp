@@ -9,7 +9,7 @@
 
 #include "analytic_evaluator.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 Genome randomGenome(Random& random) {
@@ -155,4 +155,4 @@ TEST_F(NeighbourhoodOf, TheFallenHaveNoneAndAreNobodys) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -140,4 +140,4 @@ TEST(Tournament, PrefersLowerRankThenLargerDiversity) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -22,7 +22,7 @@ void* operator new(std::size_t size) {
 void operator delete(void* memory) noexcept { std::free(memory); }
 void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(SharedExecutor, ATickAllocatesNothing) {
@@ -48,4 +48,4 @@ TEST(SharedExecutor, ATickAllocatesNothing) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 #include "gait/behavior.h"
 #include "shipped_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kPeriod_s = 0.030;
@@ -74,4 +74,4 @@ TEST(CommandGate, StartsFromAMeasuredPoseWithinTheLimits) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

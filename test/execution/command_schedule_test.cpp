@@ -4,7 +4,7 @@
 
 #include "common/random.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 using Arrival = CommandSchedule::Arrival;
@@ -87,4 +87,4 @@ TEST(CommandSchedule, BoundsWhatWaits) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "shipped_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // An executor and the robot it drives: feedback is what was commanded, unless a test says
@@ -320,4 +320,4 @@ TEST(ExecutorStatus, EveryReasonIsASentence) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include "execution/executor_core.h"
 #include "shipped_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // Random sequences of events, stalls, noise on the feedback and illegal commands. Whatever happens,
@@ -146,4 +146,4 @@ TEST(ExecutorCore, RandomSessionsNeverLeaveTheLimitsAndAStopIsAStop) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 
 #include "shipped_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 const std::vector<std::string> kNames = {"hip", "knee"};
@@ -72,4 +72,4 @@ TEST(JointMap, ShippedMapsFitTheShippedRobot) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 const std::vector<std::string> kNames = {"hip", "knee", "ankle"};
@@ -51,4 +51,4 @@ TEST(JointMatcher, WantsUniqueNames) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 
 #include "shipped_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kPeriod_s = 0.030;
@@ -45,4 +45,4 @@ TEST(Ramp, TakesLongerRatherThanExceedAVelocityLimit) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "shipped_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // A loop thread that ticks as fast as it can, and what it sent.
@@ -21,6 +21,11 @@ class Loop {
   SharedExecutor& executor() { return executor_; }
   std::uint64_t sent() const { return sent_; }
 
+  void waitForTicks(std::int64_t count) {
+    const std::int64_t target = ticks_ + count;
+    while (ticks_ < target) std::this_thread::yield();
+  }
+
   void waitFor(ExecutorMode mode) {
     while (executor_.status().mode != mode) std::this_thread::yield();
   }
@@ -34,11 +39,15 @@ class Loop {
 
   void run() {
     const SharedExecutor::Send send = [this](const std::vector<double>&) { ++sent_; };
-    for (std::int64_t slot = 0; running_; ++slot) executor_.tick(slot, send);
+    for (; running_; ++ticks_) {
+      executor_.tick(ticks_, send);
+      std::this_thread::yield();
+    }
   }
 
   SharedExecutor executor_;
   std::atomic<std::uint64_t> sent_{0};
+  std::atomic<std::int64_t> ticks_{0};
   std::atomic<bool> running_{true};
   std::thread thread_;
 };
@@ -52,7 +61,7 @@ TEST(SharedExecutor, NothingIsSentOnceStopHasReturned) {
     loop.executor().stop(Reason::kStopRequested);
     const std::uint64_t stopped = loop.sent();
     loop.waitFor(ExecutorMode::kStopped);
-    for (int k = 0; k < 100; ++k) std::this_thread::yield();
+    loop.waitForTicks(3);
     ASSERT_EQ(loop.sent(), stopped);
   }
 }
@@ -98,4 +107,4 @@ TEST(SharedExecutor, WithdrawsARequestTheLoopDoesNotAnswer) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

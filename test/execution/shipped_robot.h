@@ -8,7 +8,7 @@
 #include "gait/genome.h"
 #include "robot/load_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 inline const RobotDescription& shippedRobot() {
   static const RobotDescription robot = loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml");
@@ -28,4 +28,4 @@ inline double largestStep(const std::vector<double>& a, const std::vector<double
   return largest;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

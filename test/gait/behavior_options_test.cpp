@@ -7,7 +7,7 @@
 
 #include "made_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 using Edit = std::function<void(BehaviorOptions&)>;
@@ -97,4 +97,4 @@ TEST(BehaviorOptions, AreDeclaredOnceWithTheirDefaults) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 #include "made_robot.h"
 #include "robot/load_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 RobotDescription shipped() { return loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml"); }
@@ -139,4 +139,4 @@ TEST(Behavior, GenomeOfAnotherRobotIsRefused) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

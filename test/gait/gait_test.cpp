@@ -6,7 +6,7 @@
 
 #include "made_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::vector<double> anglesAt(const RobotDescription& robot, const Genome& genome, double time_s) {
@@ -79,4 +79,4 @@ TEST(Gait, GenomeThatDoesNotFitIsRefused) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 #include "gait/gait.h"
 #include "made_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Genome, LevelsAreQuarters) {
@@ -72,4 +72,4 @@ TEST(Genome, CanonicalIsIdempotentAndKeepsTheGait) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 #include "gait/genome.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A robot without bodies: `legs` legs of `segments` joints that move pi/8 at signal 1 (the first
 /// joint) and +-pi/4 at signal 2 (the others) about 0.1 rad, as fast as 6.28 rad/s.
@@ -51,4 +51,4 @@ std::string complaintOf(const Call& call) {
   return "";
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 
 #include "common/random.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Outcome, IsNotWalkedUntilSaidSo) {
@@ -66,4 +66,4 @@ TEST(Outcome, PoseThatIsNotFiniteIsDiverged) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Arc, QuarterCircleToTheLeftByHand) {
@@ -51,4 +51,4 @@ TEST(OrientationError, IsTheAngleBetweenHeadingAndTangent) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

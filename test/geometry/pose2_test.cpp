@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(WrapAngle, MapsIntoMinusPiExclusiveToPiInclusive) {
@@ -49,4 +49,4 @@ TEST(Footprint, IgnoresHeightRollAndPitch) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include "geometry/arc.h"
 #include "repertoire/repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// Standard normal number (Box and Muller).
 inline double normal(Random& random) {
@@ -69,4 +69,4 @@ inline Repertoire arcRepertoire(std::size_t count, std::uint64_t seed) {
   return repertoireOf(std::move(entries));
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

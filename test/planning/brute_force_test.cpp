@@ -5,7 +5,7 @@
 #include "planning/planner.h"
 #include "random_goal.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 /// The brute-force oracle: all chains of one and two entries.
@@ -83,4 +83,4 @@ TEST(Planner, CostsNoMoreThanTheBestOfAllShortChains) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include "planning/planner.h"
 #include "random_goal.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 /// How the robot of these tests differs from its repertoire.
@@ -116,4 +116,4 @@ TEST_F(ClosedLoop, ArrivesWhenBehavioursAreOffByThirtyPercentAndTenDegrees) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "arc_repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Deviation, AppliesScaleDirectionAndTurn) {
@@ -80,4 +80,4 @@ TEST(DeviationEstimator, StaysWithinItsLimits) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

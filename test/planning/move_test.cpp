@@ -6,7 +6,7 @@
 
 #include "arc_repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Move, SeesTheGoalFromItsEnd) {
@@ -64,4 +64,4 @@ TEST(FarthestPerSector, ReachesFarthestInEachDirection) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

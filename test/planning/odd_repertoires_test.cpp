@@ -6,7 +6,7 @@
 #include "arc_repertoire.h"
 #include "planning/planner.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 PlanResult planTo(const Repertoire& repertoire, const Pose2& goal) {
@@ -132,4 +132,4 @@ TEST(OddRepertoire, WithAnAbsurdlyFarEntryStillPlans) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

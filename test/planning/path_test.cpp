@@ -4,7 +4,7 @@
 
 #include "arc_repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Path, IsSampledFinelyAndEndsWhereTheStepsEnd) {
@@ -56,4 +56,4 @@ TEST(Path, ShowsATurnInPlace) {
 TEST(Path, WithoutStepsIsTheStart) { EXPECT_EQ(samplePath({}, {}, 0.02).size(), 1u); }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

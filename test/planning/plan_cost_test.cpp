@@ -4,7 +4,7 @@
 
 #include "arc_repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(MissProbability, AgreesWithTheNormalDistribution) {
@@ -64,4 +64,4 @@ TEST(Uncertainty, AgreesWithSampling) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 #include "arc_repertoire.h"
 #include "random_goal.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 /// Walks the plan by composing the entries' expected poses.
@@ -251,4 +251,4 @@ TEST(Planner, RefusesOptionsOutOfRangeByName) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "common/random.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::vector<PoseTable::Chain> randomChains(Random& random, std::uint32_t count, double size_m) {
@@ -60,4 +60,4 @@ TEST(PoseTable, OfOneChainFindsIt) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

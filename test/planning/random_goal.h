@@ -3,7 +3,7 @@
 #include "common/random.h"
 #include "planning/planner.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 inline PlanRequest requestTo(const Pose2& goal) {
   PlanRequest request;
@@ -19,4 +19,4 @@ inline Pose2 randomPose(Random& random, double radius_m) {
           random.uniform(-M_PI, M_PI)};
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 #include "fixtures.h"
 #include "geometry/arc.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kThreshold = 0.1;
@@ -126,4 +126,4 @@ TEST(Archive, RefusesEntriesItCannotKeepApartOrPlace) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

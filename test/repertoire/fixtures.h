@@ -15,7 +15,7 @@
 #include "common/random.h"
 #include "repertoire/repertoire.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A folder of its own that goes with the test.
 class TemporaryFolder {
@@ -128,4 +128,4 @@ std::string complaintOf(Call call) {
   return "";
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

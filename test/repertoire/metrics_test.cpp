@@ -8,7 +8,7 @@
 #include "fixtures.h"
 #include "geometry/arc.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -123,4 +123,4 @@ TEST(Metrics, ExpectedEndingsAreTheExecutedOnesAndLeaveOutWhatFell) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "fixtures.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(NumberText, ReadsBackTheSameNumberInEveryLocale) {
@@ -35,4 +35,4 @@ TEST(NumberText, RefusesWhatIsNotExactlyOneNumber) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

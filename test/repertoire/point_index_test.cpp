@@ -6,7 +6,7 @@
 
 #include "common/random.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::vector<Neighbour> bruteForce(const std::vector<IndexedPoint>& points, double x_m, double y_m,
@@ -92,4 +92,4 @@ TEST(PointIndex, OfEquallyNearPointsTheLowerIdComesFirst) {
 TEST(PointIndex, IsEmptyWithoutPoints) { EXPECT_TRUE(PointIndex().nearest(0.0, 0.0, 5).empty()); }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "fixtures.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(ExportCsv, WritesOneLinePerEntryByIdAndLeavesOutWhatIsNotKnown) {
@@ -40,4 +40,4 @@ TEST(ExportCsv, IsTheSameInEveryLocale) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 #include "repertoire/repertoire_writer.h"
 #include "repertoire/sqlite.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 /// A saved sample that tests spoil.
@@ -189,4 +189,4 @@ TEST_F(DamagedFile, NothingThatCouldNotBeLoadedIsSaved) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

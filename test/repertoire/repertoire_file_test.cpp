@@ -8,7 +8,7 @@
 #include "repertoire/repertoire_writer.h"
 #include "repertoire/sqlite.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 void expectEqual(const Pose2& a, const Pose2& b) {
@@ -150,4 +150,4 @@ TEST(RepertoireFile, DigestTellsEveryChangeOfAnEntryButNotTheirOrder) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

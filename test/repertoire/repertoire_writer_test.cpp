@@ -6,7 +6,7 @@
 
 #include "fixtures.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 bool mentions(const std::string& sentence, const std::string& words) {
@@ -149,4 +149,4 @@ TEST(RepertoireWriter, AProcessKilledWhileSavingLeavesTheCheckpointBefore) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

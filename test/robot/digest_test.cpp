@@ -8,7 +8,7 @@
 
 #include "shipped_files.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 struct DecimalComma : std::numpunct<char> {
@@ -104,4 +104,4 @@ TEST(Digest, ChangesWithEveryField) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

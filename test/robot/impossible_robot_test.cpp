@@ -2,7 +2,7 @@
 
 #include "shipped_files.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // The shipped robot with one text replaced by another in one of its files.
@@ -229,4 +229,4 @@ TEST(ImpossibleRobot, EveryProblemIsToldAtOnce) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -4,7 +4,7 @@
 
 #include "shipped_files.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 // A URDF link that is a solid cube of 0.1 m and 1.2 kg: m (a^2 + a^2) / 12 = 0.002 kg m^2.
@@ -129,4 +129,4 @@ TEST(OtherRobot, FixedLinksBecomePartOfTheBodyTheyAreFixedTo) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -7,7 +7,7 @@
 
 #include "robot/load_robot.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 inline const char* const kUrdfFile = "urdf/hexapod.urdf";
 inline const char* const kYamlFile = "config/hexapod.yaml";
@@ -39,4 +39,4 @@ inline std::string complaint(const std::string& urdf, const std::string& yaml) {
   return "";
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -6,7 +6,7 @@
 
 #include "shipped_files.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 RobotDescription shipped() { return loadRobot(kUrdfFile, kYamlFile); }
@@ -183,4 +183,4 @@ TEST(ShippedRobot, HasTheServosAndContactsThatTheDefaultsDocument) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

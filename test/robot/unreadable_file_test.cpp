@@ -2,7 +2,7 @@
 
 #include "shipped_files.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(UnreadableFile, TextThatIsNoUrdfIsRefused) {
@@ -78,4 +78,4 @@ TEST(UnreadableFile, FileThatCannotBeReadIsNamed) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

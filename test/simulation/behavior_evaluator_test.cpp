@@ -8,7 +8,7 @@
 #include "simulation/rollout.h"
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::shared_ptr<WorldPool> pool(const RobotDescription& robot, int threads) {
@@ -93,4 +93,4 @@ TEST(WorldPool, RefusesANegativeNumberOfThreads) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

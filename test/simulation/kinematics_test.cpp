@@ -8,7 +8,7 @@
 
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 TEST(Kinematics, ChainsTheJointsOfALeg) {
@@ -68,4 +68,4 @@ TEST(Kinematics, RefusesToStandARobotWithoutShapes) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -14,7 +14,7 @@
 #include "simulation/standing_state.h"
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::size_t kVelocity = 7;
@@ -289,4 +289,4 @@ TEST(OdeWorld, RefusesPhysicsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -9,7 +9,7 @@
 
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 std::string complaint(double Physics::*value, double found) {
@@ -84,4 +84,4 @@ TEST(Physics, TellsAbsurdStates) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -9,7 +9,7 @@
 #include "simulation/rollout.h"
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kPeriod_s = 0.030;
@@ -119,4 +119,4 @@ TEST(BatchRollout, RefusesAPeriodThatIsNoMultipleOfTheStepAndForeignStates) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -9,7 +9,7 @@
 #include "simulation/reduced_inertia.h"
 #include "simulation/reduced_system.h"
 
-namespace hexapod_repertoire::reduced {
+namespace hexapod::reduced {
 namespace {
 
 Eigen::Vector3d eigen(const Vec3<double>& v) { return {v.x, v.y, v.z}; }
@@ -111,4 +111,4 @@ TEST(ReducedMath, SystemsAreSolved) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire::reduced
+}  // namespace hexapod::reduced

@@ -11,7 +11,7 @@
 
 // Whole behaviours in the reduced engine, held against ODE.
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 struct End {
@@ -88,4 +88,4 @@ TEST(ReducedOracle, LooksOftenEnoughAtLegsThatMayTouch) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

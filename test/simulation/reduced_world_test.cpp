@@ -14,7 +14,7 @@
 #include "simulation/standing_state.h"
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr std::size_t kVelocity = 7;
@@ -237,4 +237,4 @@ TEST(ReducedWorld, SaysWhichRobotsItDoesNotCover) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

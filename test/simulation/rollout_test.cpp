@@ -9,7 +9,7 @@
 #include "robot/load_robot.h"
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 Outcome playOnce(const RobotDescription& robot, const Genome& genome, const Physics& physics) {
@@ -94,4 +94,4 @@ TEST(Play, RefusesACommandPeriodThatIsNoMultipleOfTheStep) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

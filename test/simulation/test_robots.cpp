@@ -5,7 +5,7 @@
 
 #include "common/random.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
@@ -157,4 +157,4 @@ BehaviorOptions shortBehavior() {
   return options;
 }
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

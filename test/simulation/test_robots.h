@@ -4,7 +4,7 @@
 #include "gait/genome.h"
 #include "robot/robot_description.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 
 /// A hexapod written out by hand, so that these tests depend on no file: box body, six legs of
 /// three capsules, joint axes up and sideways, tibia vertical in the neutral pose.
@@ -27,4 +27,4 @@ std::vector<Genome> randomGenomes(const RobotDescription& robot, std::size_t cou
 /// A behaviour of 0.9 s, for tests in which the distance does not matter.
 BehaviorOptions shortBehavior();
 
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -8,7 +8,7 @@
 
 #include "test_robots.h"
 
-namespace hexapod_repertoire {
+namespace hexapod {
 namespace {
 
 ValidationOptions fewTrials() {
@@ -128,4 +128,4 @@ TEST(Validate, AcceptsAnEmptyListAndRefusesWrongOptions) {
 }
 
 }  // namespace
-}  // namespace hexapod_repertoire
+}  // namespace hexapod

@@ -1,0 +1,58 @@
+"""Runs a launch file like roslaunch does, and ends with the exit code of what ended it.
+
+roslaunch itself returns 0 even when a required node died with an error, so a script cannot tell a
+failed session from a good one.
+"""
+import sys
+from typing import List
+
+from roslaunch.arg_dump import dump_args
+from roslaunch.core import RLException
+from roslaunch.parent import ROSLaunchParent
+from roslaunch.pmon import ProcessListener
+from roslaunch.rlutil import get_or_generate_uuid
+
+
+class FirstFailure(ProcessListener):
+    """Remembers the first exit code other than 0 among the processes that end by themselves."""
+
+    def __init__(self) -> None:
+        self.exit_code = 0
+
+    def process_died(self, process_name: str, exit_code: int) -> None:
+        """Called by roslaunch; exit_code is negative for a signal and None when unknown."""
+        if exit_code and not self.exit_code:
+            self.exit_code = exit_code if exit_code > 0 else 128 - exit_code
+
+
+def main(argv: List[str]) -> int:
+    """Launches argv[0] with the arguments argv[1:] (name:=value) and returns the exit code.
+
+    With --ros-args it lists the arguments of the launch file instead, as roslaunch does.
+    """
+    if "--ros-args" in argv:
+        dump_args([argv[0]])
+        return 0
+    wrong = [argument for argument in argv[1:] if ":=" not in argument]
+    if wrong:
+        print(f"'{wrong[0]}' is no argument of a launch file: expected name:=value.", file=sys.stderr)
+        return 2
+    listener = FirstFailure()
+    parent = ROSLaunchParent(
+        get_or_generate_uuid(None, False),
+        [(argv[0], argv[1:])],
+        process_listeners=[listener],
+        sigint_timeout=15,
+        sigterm_timeout=2,
+    )
+    try:
+        parent.start()
+    except RLException as error:
+        print(error, file=sys.stderr)
+        return 2
+    parent.spin()
+    return listener.exit_code
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

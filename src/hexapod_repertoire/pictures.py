@@ -1,0 +1,96 @@
+"""Pictures of a repertoire and of what was walked with it.
+
+Poses are tuples (x [m], y [m], yaw [rad]); x forward, y left.
+"""
+import math
+from dataclasses import dataclass
+from typing import List, Sequence, Tuple
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+import numpy as np  # noqa: E402
+
+Pose = Tuple[float, float, float]
+
+WORST_SHOWN_ERROR_DEG = 10.0
+
+
+@dataclass(frozen=True)
+class Walk:
+    """One goal, the path planned for it and the positions the robot passed."""
+
+    goal: Pose
+    planned: Sequence[Pose]
+    walked: Sequence[Pose]
+
+
+def arc_heading(x_m: np.ndarray, y_m: np.ndarray) -> np.ndarray:
+    """Heading [rad] of the arc from the origin through each point, tangent at the point."""
+    return 2.0 * np.arctan2(y_m, x_m)
+
+
+def orientation_errors_deg(poses: np.ndarray) -> np.ndarray:
+    """Angle [deg], >= 0, between heading and arc tangent of poses, shape (n, 3) -> (n,)."""
+    difference = poses[:, 2] - arc_heading(poses[:, 0], poses[:, 1])
+    return np.degrees(np.abs(np.arctan2(np.sin(difference), np.cos(difference))))
+
+
+def _ticks(axes, poses: np.ndarray, headings: np.ndarray, length_m: float, **style) -> None:
+    ends = poses[:, :2] + length_m * np.stack([np.cos(headings), np.sin(headings)], axis=1)
+    # x forward is drawn upwards and y left to the left, as one looks down on the robot.
+    axes.plot(
+        np.stack([-poses[:, 1], -ends[:, 1]]), np.stack([poses[:, 0], ends[:, 0]]), **style
+    )
+
+
+def draw_repertoire(axes, poses: np.ndarray) -> None:
+    """Draws end poses, shape (n, 3), as figure 3 of the paper does: colour is the error."""
+    poses = np.asarray(poses, dtype=float).reshape(-1, 3)
+    _ticks(axes, poses, arc_heading(poses[:, 0], poses[:, 1]), 0.03, color="0.75", linewidth=0.8)
+    _ticks(axes, poses, poses[:, 2], 0.03, color="tab:blue", linewidth=0.8)
+    dots = axes.scatter(
+        -poses[:, 1], poses[:, 0], c=orientation_errors_deg(poses), s=9, zorder=3,
+        cmap="viridis_r", vmin=0.0, vmax=WORST_SHOWN_ERROR_DEG,
+    )
+    axes.figure.colorbar(dots, ax=axes, label="orientation error [deg]", extend="max", shrink=0.8)
+    axes.plot(0, 0, marker="^", color="black", markersize=9)
+    axes.set_title(f"{len(poses)} behaviours: end pose after each")
+    _finish(axes)
+
+
+def draw_walks(axes, walks: Sequence[Walk]) -> None:
+    """Draws plans (dashed) and walked paths (solid) toward their goals (arrows)."""
+    for number, walk in enumerate(walks):
+        color = f"C{number}"
+        for poses, style in ((walk.planned, "--"), (walk.walked, "-")):
+            points = np.asarray(poses, dtype=float).reshape(-1, 3)
+            axes.plot(-points[:, 1], points[:, 0], style, color=color, linewidth=1.3)
+        x_m, y_m, yaw = walk.goal
+        axes.annotate(
+            "", xytext=(-y_m, x_m), xy=(-y_m - 0.15 * math.sin(yaw), x_m + 0.15 * math.cos(yaw)),
+            arrowprops={"arrowstyle": "-|>", "color": color, "linewidth": 2},
+        )
+        axes.plot(-y_m, x_m, "o", color=color, markersize=7, label=f"goal {number + 1}")
+    axes.plot(0, 0, marker="^", color="black", markersize=9)
+    axes.set_title("planned (dashed) and walked (solid)")
+    if walks:
+        axes.legend(loc="best", fontsize=8)
+    _finish(axes)
+
+
+def _finish(axes) -> None:
+    axes.set_aspect("equal")
+    axes.set_xlabel("right [m]")
+    axes.set_ylabel("forward [m]")
+    axes.grid(True, linewidth=0.3)
+
+
+def save_picture(path: str, repertoire: Sequence[Pose], walks: List[Walk]) -> None:
+    """Writes a PNG with the repertoire on the left and the walks on the right."""
+    figure, (left, right) = plt.subplots(1, 2, figsize=(13, 6), constrained_layout=True)
+    draw_repertoire(left, np.asarray(repertoire, dtype=float))
+    draw_walks(right, walks)
+    figure.savefig(path, dpi=110)
+    plt.close(figure)

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "evolution/br_evolution.h"
+#include "learning/learn_options.h"
+#include "repertoire/repertoire.h"
+#include "repertoire/repertoire_writer.h"
+#include "robot/robot_description.h"
+#include "simulation/behavior_evaluator.h"
+#include "simulation/validation.h"
+
+namespace hexapod {
+
+/// What a session is doing.
+enum class LearningPhase { kEvolving, kValidating, kDone };
+
+/// "evolving", "validating", "done".
+std::string toString(LearningPhase phase);
+
+/// How far a session is.
+struct LearningStatus {
+  LearningPhase phase = LearningPhase::kEvolving;
+  EvolutionCounters counters;
+  std::int64_t evaluations_budget = 0;
+  std::int64_t entries = 0;
+  std::int64_t entries_validated = 0;
+  double elapsed_s = 0.0;          ///< spent evolving
+  double evaluations_per_s = 0.0;  ///< over the time spent evolving
+  double eta_s = 0.0;              ///< to the end of evolution; 0 once it has ended
+  HistoryRow last;                 ///< the newest row of the history
+};
+
+/// A learning run from the first random genome to the validated repertoire in its file: evolution,
+/// simulation on all cores, history, checkpoints, validation.
+///
+/// run() does the work in the thread that calls it. requestStop() and requestSave() may be called
+/// from any thread; everything else belongs to the thread of run(), that is, to its hooks.
+class LearningSession {
+ public:
+  /// Seconds on a clock that never goes back.
+  using Clock = std::function<double()>;
+
+  struct Hooks {
+    /// Called after each generation, now and then while validating (then perhaps by another thread,
+    /// one at a time), and when all is done.
+    std::function<void(const LearningSession&)> progress;
+    /// Called when a checkpoint could not be written; learning goes on, the next one is tried.
+    std::function<void(const std::string& problem)> save_failed;
+  };
+
+  /// Claims repertoire_file (RepertoireWriter). Throws std::invalid_argument for options that do
+  /// not fit, std::runtime_error for a file that cannot be written or that holds a repertoire while
+  /// `overwrite` is false.
+  LearningSession(const RobotDescription& robot, const LearnOptions& options, Clock clock);
+
+  /// Evolves until the budget is used up, validates, saves. Returns true when all was done, false
+  /// when requestStop() ended it early; the file then holds the last whole generation.
+  bool run(const Hooks& hooks);
+
+  /// Ends run() within one simulated behaviour.
+  void requestStop() { stop_ = true; }
+
+  /// Asks for a checkpoint at the end of the generation under way.
+  void requestSave() { save_ = true; }
+
+  LearningStatus status() const;
+
+  /// The repertoire as it is now.
+  Repertoire repertoire() const;
+
+ private:
+  bool evolve(const Hooks& hooks);
+  bool validateEntries(const Hooks& hooks);
+  void recordHistory();
+  void save(const Hooks& hooks);
+
+  RobotDescription robot_;
+  LearnOptions options_;
+  Clock clock_;
+  std::atomic<bool> stop_{false};
+  std::atomic<bool> save_{false};
+  RepertoireWriter writer_;
+  std::shared_ptr<WorldPool> worlds_;
+  BehaviorEvaluator evaluator_;
+  BrEvolution evolution_;
+  LearningPhase phase_ = LearningPhase::kEvolving;
+  std::vector<HistoryRow> history_;
+  std::vector<Execution> executions_;  // per archive entry; empty until validated
+  std::int64_t entries_validated_ = 0;
+  double started_s_ = 0.0;
+  double evolved_s_ = 0.0;
+  double saved_s_ = 0.0;
+};
+
+}  // namespace hexapod

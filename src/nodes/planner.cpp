@@ -1,0 +1,32 @@
+// Plans chains of repertoire entries to goal poses and has the executor walk them.
+#include <ros/ros.h>
+
+#include "ros_interface/params.h"
+#include "ros_interface/walk_interfaces.h"
+
+namespace hexapod {
+namespace {
+
+// Callbacks plan for up to planning_time_s; others must not wait for them.
+constexpr std::uint32_t kThreads = 3;
+
+int plan() {
+  ros::NodeHandle node;
+  ros::NodeHandle private_node("~");
+  PlannerNodeOptions options;
+  loadParams(private_node, declareOptions(options));
+  Walker walker(node, private_node, options);
+  const WalkInterfaces interfaces(node, private_node, walker, options);
+  ros::AsyncSpinner spinner(kThreads);
+  spinner.start();
+  ros::waitForShutdown();
+  return 0;
+}
+
+}  // namespace
+}  // namespace hexapod
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "planner");
+  return hexapod::runNode(hexapod::plan);
+}

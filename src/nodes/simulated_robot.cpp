@@ -1,0 +1,29 @@
+// A robot in a simulated world, behind the topics of a real one.
+#include <ros/ros.h>
+
+#include "ros_interface/executor_process.h"
+#include "ros_interface/params.h"
+#include "ros_interface/simulated_robot_node.h"
+
+namespace hexapod {
+namespace {
+
+int simulate() {
+  if (!waitForMaster()) return 0;
+  ros::NodeHandle node;
+  ros::NodeHandle private_node("~");
+  SimulatedRobotOptions options;
+  loadParams(private_node, declareOptions(options));
+  checkTime(options, ros::Time::isSimTime());
+  SimulatedRobotNode robot(node, private_node, options, requireRobot(node, options.robot_config));
+  robot.run(leaveFlag());
+  return 0;
+}
+
+}  // namespace
+}  // namespace hexapod
+
+int main(int argc, char** argv) {
+  hexapod::initProcess(argc, argv, "simulated_robot");
+  return hexapod::runNode(hexapod::simulate);
+}

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+
+#include "hexapod_repertoire/ExecuteBehaviorAction.h"
+
+namespace hexapod {
+
+/// Has the executor play one behaviour and waits for its end.
+class BehaviorClient {
+ public:
+  enum class End { kPlayed, kCancelled, kFault };
+  struct Result {
+    End end = End::kFault;
+    std::string message;
+    ros::Time finished;  ///< stamp of the last command
+  };
+
+  explicit BehaviorClient(ros::NodeHandle& node);
+
+  /// Plays an entry. `cancelled` is asked while it plays: when true, the executor is told to break
+  /// off. Gives up with kFault when the executor is not there, refuses, or takes longer than
+  /// `longest_s`. Called from one thread.
+  Result play(std::int64_t entry_id, const std::string& run_id, double longest_s,
+              const std::function<bool()>& cancelled);
+
+ private:
+  actionlib::SimpleActionClient<hexapod_repertoire::ExecuteBehaviorAction> client_;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,158 @@
+#include "ros_interface/learner.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+#include <ros/ros.h>
+
+#include "hexapod_repertoire/LearningProgress.h"
+#include "ros_interface/params.h"
+#include "ros_interface/robot_param.h"
+
+namespace hexapod {
+namespace {
+
+using std::chrono::duration;
+using std::chrono::milliseconds;
+
+constexpr double kTellPeriod_s = 1.0;
+constexpr double kComplainPeriod_s = 10.0;
+constexpr milliseconds kPausePoll{50};
+
+double seconds(std::chrono::steady_clock::time_point time) {
+  return duration<double>(time.time_since_epoch()).count();
+}
+
+bool due(std::chrono::steady_clock::time_point& last, double period_s) {
+  const auto now = std::chrono::steady_clock::now();
+  if (seconds(now) - seconds(last) < period_s) return false;
+  last = now;
+  return true;
+}
+
+}  // namespace
+
+std::vector<Option> declareOptions(LearnerOptions& options) {
+  std::vector<Option> all = declareOptions(options.learn);
+  all.push_back(option("robot_config", options.robot_config,
+                       "YAML of the robot: legs, gait, servo, contact (config/hexapod.yaml)."));
+  all.push_back(option("publish_period_s", options.publish_period_s, "s",
+                       "The growing repertoire is published at most this often.", 0.1, 86400.0));
+  all.push_back(option("exit_when_done", options.exit_when_done,
+                       "End when the budget is used up; false: go on publishing."));
+  return all;
+}
+
+Learner::Learner(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                 const LearnerOptions& options)
+    : options_(options),
+      session_(robotFromParams(node, options.robot_config), options.learn,
+               [] { return seconds(Clock::now()); }),
+      repertoire_publisher_(node),
+      progress_publisher_(
+          private_node.advertise<hexapod_repertoire::LearningProgress>("progress", 1, true)) {
+  run_id_ = session_.repertoire().run_id;
+  save_ = private_node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
+      "save", [this](auto&, auto& response) {
+        session_.requestSave();
+        response.success = true;
+        response.message = "The file will be written at the end of the generation under way.";
+        return true;
+      });
+  pause_ = private_node.advertiseService<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(
+      "pause", [this](auto& request, auto& response) {
+        paused_ = request.data;
+        response.success = true;
+        response.message = request.data ? "Pausing after the generation under way." : "Going on.";
+        return true;
+      });
+}
+
+bool Learner::run() {
+  ROS_INFO_STREAM("Learning run " << run_id_ << ": " << options_.learn.evaluations
+                                  << " evaluations into " << options_.learn.repertoire_file << ".");
+  LearningSession::Hooks hooks;
+  hooks.progress = [this](const LearningSession&) { progress(); };
+  hooks.save_failed = [this](const std::string& problem) {
+    if (due(complained_, kComplainPeriod_s)) {
+      ROS_ERROR_STREAM(problem << " Learning goes on; saving will be tried again.");
+    }
+  };
+  // ROS's shutdown must reach into a generation under way.
+  std::atomic<bool> ended{false};
+  std::thread watch([this, &ended] {
+    while (ros::ok() && !ended) std::this_thread::sleep_for(kPausePoll);
+    session_.requestStop();
+  });
+  const auto join = [&] {
+    ended = true;
+    watch.join();
+  };
+  try {
+    const bool finished = session_.run(hooks);
+    join();
+    return finished;
+  } catch (...) {
+    join();
+    throw;
+  }
+}
+
+void Learner::progress() {
+  const LearningStatus status = session_.status();
+  const bool done = status.phase == LearningPhase::kDone;
+  if (due(told_, kTellPeriod_s) || done) {
+    publishProgress(status);
+    log(status);
+  }
+  const bool evolving = status.phase == LearningPhase::kEvolving;
+  if (done || (evolving && due(published_, options_.publish_period_s))) {
+    repertoire_publisher_.publish(session_.repertoire());
+  }
+  while (paused_ && evolving && ros::ok()) std::this_thread::sleep_for(kPausePoll);
+}
+
+void Learner::publishProgress(const LearningStatus& status) {
+  hexapod_repertoire::LearningProgress message;
+  message.header.stamp = ros::Time::now();
+  message.run_id = run_id_;
+  message.phase = paused_ ? "paused" : toString(status.phase);
+  message.generation = status.counters.generations;
+  message.evaluations = status.counters.evaluations;
+  message.evaluations_budget = status.evaluations_budget;
+  message.evaluations_per_s = status.evaluations_per_s;
+  message.eta_s = status.eta_s;
+  message.archive_size = status.entries;
+  message.sparseness_m = status.last.sparseness_m;
+  message.median_orientation_error_rad = status.last.median_orientation_error_rad;
+  message.max_reach_m = status.last.max_reach_m;
+  message.fell = status.counters.fell;
+  message.self_collided = status.counters.self_collided;
+  message.diverged = status.counters.diverged;
+  progress_publisher_.publish(message);
+}
+
+void Learner::log(const LearningStatus& status) const {
+  std::ostringstream line;
+  line << std::fixed << std::setprecision(0);
+  if (status.phase == LearningPhase::kValidating) {
+    line << "Validating: " << status.entries_validated << " of " << status.entries << " entries.";
+  } else {
+    line << (status.phase == LearningPhase::kDone ? "Done: " : "Learning: ")
+         << status.counters.evaluations << " of " << status.evaluations_budget << " evaluations, "
+         << status.evaluations_per_s << "/s, " << status.eta_s << " s left, " << status.entries
+         << " entries";
+    if (status.last.evaluations > 0) {
+      line << std::setprecision(2) << ", sparseness " << 100.0 * status.last.sparseness_m
+           << " cm, orientation error " << status.last.median_orientation_error_rad * 180.0 / M_PI
+           << " deg";
+    }
+    line << ".";
+  }
+  ROS_INFO_STREAM(line.str());
+}
+
+}  // namespace hexapod

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+
+#include <ros/node_handle.h>
+
+#include "robot/robot_description.h"
+
+namespace hexapod {
+
+/// The robot of this ROS session: the URDF text of the parameter robot_description (relative to
+/// `node`, so that a namespace has its own) and the YAML file `robot_config`.
+/// Throws std::runtime_error with a sentence when one is missing or wrong.
+RobotDescription robotFromParams(const ros::NodeHandle& node, const std::string& robot_config);
+
+}  // namespace hexapod

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/subscriber.h>
+
+#include "hexapod_repertoire/GoTo.h"
+#include "hexapod_repertoire/Repertoire.h"
+#include "planning/walk.h"
+#include "ros_interface/behavior_client.h"
+#include "ros_interface/markers.h"
+#include "ros_interface/planner_node_options.h"
+#include "ros_interface/pose_source.h"
+
+namespace hexapod {
+
+/// What became of a goal: a code of GoTo.srv, a sentence, the first plan, the end.
+struct WalkReport {
+  std::uint8_t code = hexapod_repertoire::GoTo::Response::NO_REPERTOIRE;
+  std::string message;
+  nav_msgs::Path plan;
+  geometry_msgs::PoseStamped final_pose;
+  double final_xy_error_m = 0.0;
+  double final_yaw_error_rad = 0.0;
+  std::uint32_t steps = 0;
+};
+
+/// A goal in the global frame, and who wants to know of it.
+struct WalkGoal {
+  std::string id;  ///< unique; empty: submit() gives one
+  Pose2 pose;
+  GoalTolerance tolerance;
+  std::function<void(const WalkReport&)> finished;  ///< called once, from the walking thread
+  /// Called before each behaviour: measured pose, behaviours done, planned in all, metres left.
+  std::function<void(const geometry_msgs::PoseStamped&, std::uint32_t, std::uint32_t, double)>
+      progress;
+};
+
+/// Walks to goals, one at a time, in a thread of its own: measure, plan, have one behaviour
+/// executed, report, again. The newest goal takes over when the behaviour under way has ended.
+/// Publishes plan, current_goal, plan_markers and ~step_report. Public functions from any thread.
+class Walker {
+ public:
+  Walker(ros::NodeHandle& node, ros::NodeHandle& private_node, const PlannerNodeOptions& options);
+  ~Walker();
+
+  const PoseSource& poses() const { return poses_; }
+
+  /// The answer to "could you?": checks and plans from where the robot stands, moves nothing. Code
+  /// SUCCEEDED means there is a plan. Publishes nothing.
+  WalkReport makePlan(const Pose2& goal, const GoalTolerance& tolerance) const;
+  WalkReport makePlan(const Pose2& start, const Pose2& goal, const GoalTolerance& tolerance) const;
+
+  /// Takes over the goal; returns its id. Earlier goals end as PREEMPTED.
+  std::string submit(WalkGoal goal);
+
+  /// Breaks off what is under way. False when there was nothing.
+  bool cancel();
+
+  /// Cancels only the goal of this id.
+  bool cancel(const std::string& goal_id);
+
+  /// Whether a repertoire has arrived, and how many entries may be planned with.
+  std::optional<std::size_t> usableEntries() const;
+
+ private:
+  void receive(const hexapod_repertoire::Repertoire::ConstPtr& message);
+  std::shared_ptr<AdaptivePlanner> planner() const;
+  void work();
+  void walk(const WalkGoal& goal);
+  WalkReport walkTo(const WalkGoal& goal);
+  bool interrupted() const { return cancel_ || shutdown_; }
+  bool superseded() const;
+  void publishPlan(const WalkGoal& goal, const Pose2& from, const PlanResult& plan,
+                   const std::vector<Pose2>& walked);
+  void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
+                  const Pose2& before, const Pose2& after);
+  nav_msgs::Path pathOf(const Pose2& from, const PlanResult& plan) const;
+
+  PlannerNodeOptions options_;
+  PoseSource poses_;
+  BehaviorClient executor_;
+  ros::Publisher plan_publisher_;
+  ros::Publisher goal_publisher_;
+  ros::Publisher marker_publisher_;
+  ros::Publisher step_publisher_;
+  ros::Subscriber repertoire_subscriber_;
+
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_; one per repertoire
+  std::optional<WalkGoal> pending_;          // guarded by mutex_
+  std::string active_id_;               // guarded by mutex_; empty: idle
+  std::uint64_t goals_ = 0;             // guarded by mutex_
+  std::atomic<bool> cancel_{false};
+  std::atomic<bool> shutdown_{false};
+  std::thread thread_;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,199 @@
+#!/usr/bin/python3
+"""What the executor does when the robot, its feedback, other nodes or its own process misbehave.
+
+The robot is this test: it answers each command with joint states, as well or badly as asked.
+"""
+import math
+import os
+import random
+import signal
+import sys
+import unittest
+
+import rosnode
+import rospy
+import rostest
+from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
+from hexapod_repertoire.msg import (ExecuteBehaviorResult, ExecutorState, Repertoire,
+                                    RepertoireEntry)
+from sensor_msgs.msg import JointState
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import robot_session as rs  # noqa: E402
+
+JOINTS = [name for leg in range(6)
+          for name in ("body_leg_%d" % leg, "leg_%d_1_2" % leg, "leg_%d_2_3" % leg)]
+
+
+class FakeRobot:
+    """Publishes joint_states at 100 Hz: the last command, after `spoil` has had its way with it."""
+
+    def __init__(self):
+        self.spoil = lambda message: message
+        self._positions = dict.fromkeys(JOINTS, 0.0)
+        self._publisher = rospy.Publisher("joint_states", JointState, queue_size=1)
+        self._subscriber = rospy.Subscriber("joint_command", JointState, self._obey)
+        self._timer = rospy.Timer(rospy.Duration(0.01), self._publish)
+
+    def _obey(self, message):
+        self._positions = dict(zip(message.name, message.position))
+
+    def _publish(self, _):
+        message = JointState(name=list(JOINTS), position=[self._positions[j] for j in JOINTS])
+        message.header.stamp = rospy.Time.now()
+        message = self.spoil(message)
+        if message is not None:
+            self._publisher.publish(message)
+
+
+def shuffled(message):
+    order = random.Random(1).sample(range(18), 18)
+    message.name = [message.name[i] for i in order] + ["camera_pan"]
+    message.position = [message.position[i] for i in order] + [9.0]
+    return message
+
+
+def with_nan(message):
+    message.position[4] = math.nan
+    return message
+
+
+def with_a_missing_joint(message):
+    del message.name[3], message.position[3]
+    return message
+
+
+def with_a_joint_twice(message):
+    message.name[3] = message.name[4]
+    return message
+
+
+def stuck(message):
+    message.position = [0.0] * 18
+    return message
+
+
+def diagnostic(recorder, name):
+    """The newest diagnostic status whose name ends in `name`."""
+    for array in reversed(recorder.all()):
+        for status in array.status:
+            if status.name.endswith(name):
+                return status
+    return None
+
+
+class ExecutorFaults(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("executor_faults_test")
+        cls.robot = FakeRobot()
+        cls.session = rs.Session()
+        cls.diagnostics = rs.Recorder("/diagnostics", DiagnosticArray)
+        cls.repertoires = rospy.Publisher("repertoire", Repertoire, queue_size=1, latch=True)
+        cls.digest = rs.offline_outcome(rospy.get_param("~binaries"), rospy.get_param("~root"),
+                                        rs.TURN)[1]
+
+    def setUp(self):
+        self.robot.spoil = lambda message: message
+        self.session.make_ready()
+        self.session.commands.clear()
+
+    def executor_pid(self):
+        node_api = rosnode.get_api_uri(rospy.get_master(), "/executor")
+        return rosnode.ServerProxy(node_api).getPid("/test")[2]
+
+    def test_feedback_in_any_order_and_with_other_joints_is_used(self):
+        self.robot.spoil = shuffled
+        handle = self.session.send(rs.TURN)
+        self.assertEqual(self.session.result(handle).code, ExecuteBehaviorResult.SUCCEEDED)
+
+    def test_lost_or_useless_feedback_is_a_fault_and_nothing_is_sent(self):
+        for spoil in (lambda message: None, with_nan, with_a_missing_joint, with_a_joint_twice):
+            self.session.make_ready()
+            handle = self.session.send(rs.TURN)
+            self.session.wait_state(ExecutorState.WALKING)
+            self.robot.spoil = spoil
+            result = self.session.result(handle)
+            self.assertEqual(result.code, ExecuteBehaviorResult.FAULT)
+            self.assertIn("joint_states", result.message)
+            self.session.wait_state(ExecutorState.FAULT)
+            self.session.commands.clear()
+            self.assertFalse(self.session.call("arm").success)
+            self.session.states.next()
+            self.assertEqual(self.session.commands.count(), 0)
+            self.robot.spoil = lambda message: message
+
+    def test_a_servo_that_does_not_follow_is_a_fault_that_names_it(self):
+        handle = self.session.send([0, 0, 4, 0] + [0] * 20)
+        self.robot.spoil = stuck
+        result = self.session.result(handle)
+        self.assertEqual(result.code, ExecuteBehaviorResult.FAULT)
+        self.assertRegex(result.message, "leg_0_[12]_[23]")
+
+    def test_a_stopped_process_skips_and_does_not_burst(self):
+        handle = self.session.send(rs.TURN)
+        rs.wait_for(lambda: self.session.commands.count() > 20, 5.0, "20 commands")
+        pid = self.executor_pid()
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            stopped_ns = rospy.Time.now().to_nsec()
+            rs.wait_for(lambda: rospy.Time.now().to_nsec() > stopped_ns + 200_000_000, 5.0, "200 ms")
+        finally:
+            os.kill(pid, signal.SIGCONT)
+        self.assertEqual(self.session.result(handle).code, ExecuteBehaviorResult.SUCCEEDED)
+        stamps = [rs.stamp_ns(m) for m in self.session.commands.all()]
+        gaps = [b - a for a, b in zip(stamps, stamps[1:])]
+        self.assertGreaterEqual(max(gaps), 5 * rs.PERIOD_NS)
+        self.assertEqual({gap % rs.PERIOD_NS for gap in gaps}, {0})
+        self.assertGreater(min(gaps), 0)
+        self.assertGreater(self.session.states.next().skipped, 3)
+
+    def test_a_second_publisher_of_commands_is_an_error(self):
+        publisher = rospy.Publisher("joint_command", JointState, queue_size=1)
+
+        def level():
+            status = diagnostic(self.diagnostics, "commands")
+            return status.level if status else None
+        rs.wait_for(lambda: level() == DiagnosticStatus.ERROR, 10.0, "an ERROR in diagnostics")
+        self.assertIn("executor_faults_test", diagnostic(self.diagnostics, "commands").message)
+        publisher.unregister()
+        rs.wait_for(lambda: level() == DiagnosticStatus.OK, 10.0, "OK in diagnostics")
+
+    def repertoire(self, **changes):
+        message = Repertoire(format_version=1, run_id="run", robot_id=self.digest,
+                             behavior_duration_s=3.9, joint_names=JOINTS)
+        message.header.frame_id = "base_footprint"
+        message.entries = [RepertoireEntry(id=7, genome=bytes(rs.TURN))]
+        for name, value in changes.items():
+            setattr(message, name, value)
+        return message
+
+    def refusal(self, entry_id, run_id="run"):
+        result = self.session.result(self.session.send(entry_id=entry_id, run_id=run_id))
+        self.assertEqual(result.code, ExecuteBehaviorResult.INVALID_GOAL)
+        return result.message
+
+    def publish(self, message, says):
+        """Publishes a repertoire and waits until a goal for an unknown entry is refused with it."""
+        self.repertoires.publish(message)
+        rs.wait_for(lambda: says in self.refusal(99, message.run_id), 5.0, says)
+
+    def test_plays_entries_of_the_repertoire_and_of_no_other_run_or_robot(self):
+        self.publish(self.repertoire(), "Entry 99 is not")
+        handle = self.session.send(entry_id=7, run_id="run")
+        rs.wait_for(lambda: self.session.states.last().entry_id == 7, 5.0, "entry 7 in the state")
+        self.assertEqual(self.session.result(handle).code, ExecuteBehaviorResult.SUCCEEDED)
+        self.assertIn("'run'", self.refusal(7, "other run"))
+        self.publish(self.repertoire(robot_id="0123"), "learned for the robot 0123")
+        self.publish(self.repertoire(behavior_duration_s=3.0), "behaviours take 3.0")
+        self.publish(self.repertoire(behavior_duration_s=math.nan), "behaviours take nan")
+        self.publish(self.repertoire(joint_names=JOINTS[:17]), "joint names")
+        for genome in ([1] * 23, [5] * 24):
+            self.publish(self.repertoire(entries=[RepertoireEntry(id=7, genome=bytes(genome))]),
+                         "Entry 7 of the repertoire is refused")
+        twice = [RepertoireEntry(id=7, genome=bytes(rs.TURN))] * 2
+        self.publish(self.repertoire(entries=twice), "occurs twice")
+
+
+if __name__ == "__main__":
+    rostest.rosrun("hexapod_repertoire", "executor_faults", ExecutorFaults)

@@ -1,0 +1,137 @@
+#!/usr/bin/python3
+"""The executor walks the simulated robot: what is played is what the learner evaluates."""
+import os
+import sys
+import unittest
+
+import rospy
+import rostest
+from actionlib_msgs.msg import GoalStatus
+from hexapod_repertoire.msg import ExecuteBehaviorResult, ExecutorState
+from std_msgs.msg import Bool
+from std_srvs.srv import Trigger
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import robot_session as rs  # noqa: E402
+
+
+class ExecutorWalk(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("executor_walk_test")
+        cls.odometry = rs.odometry_recorder()
+        cls.session = rs.Session()
+        cls.binaries = rospy.get_param("~binaries")
+        cls.root = rospy.get_param("~root")
+        cls.e_stop = rospy.Publisher("e_stop", Bool, queue_size=1)
+
+    def setUp(self):
+        self.session.make_ready()
+        self.session.commands.clear()
+        self.odometry.clear()
+
+    def reset_robot(self):
+        self.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
+        self.odometry.clear()
+
+    def test_three_runs_end_where_the_learner_says(self):
+        expected, _ = rs.offline_outcome(self.binaries, self.root, rs.TRIPOD)
+        for run in range(3):
+            self.reset_robot()
+            rs.wait_for(lambda: self.odometry.count() > rs.SETTLED_STEPS, 10.0, "the stand")
+            skipped = self.session.states.last().skipped
+            handle = self.session.send(rs.TRIPOD)
+            result = self.session.result(handle)
+            self.assertEqual(result.code, ExecuteBehaviorResult.SUCCEEDED, result.message)
+            distance_m, turn_rad = rs.end_pose_error(self.odometry, result, expected)
+            late = self.session.states.next().skipped - skipped
+            print("run %d: %d commands skipped, end pose off by %.2e m, %.2e rad" %
+                  (run, late, distance_m, turn_rad))
+            if late == 0:
+                self.assertLess(distance_m, 1e-3)
+                self.assertLess(turn_rad, 1e-2)
+
+    def test_stamps_are_exactly_one_period_apart(self):
+        rs.wait_for(lambda: self.session.commands.count() >= 50, 10.0, "50 commands")
+        stamps = [rs.stamp_ns(m) for m in self.session.commands.all()]
+        gaps = [b - a for a, b in zip(stamps, stamps[1:])]
+        self.assertEqual({gap % rs.PERIOD_NS for gap in gaps}, {0})
+        self.assertGreater(min(gaps), 0)
+
+    def test_a_second_goal_is_rejected_and_does_not_disturb_the_first(self):
+        first = self.session.send(rs.TURN)
+        self.session.wait_state(ExecutorState.WALKING)
+        second = self.session.send(rs.TRIPOD)
+        self.assertEqual(self.session.result(second).code, ExecuteBehaviorResult.NOT_READY)
+        self.assertEqual(second.get_terminal_state(), GoalStatus.REJECTED)
+        self.assertEqual(self.session.result(first).code, ExecuteBehaviorResult.SUCCEEDED)
+
+    def test_goals_that_name_no_behaviour_are_refused_with_a_sentence(self):
+        for genome, entry, run, says in [
+                (rs.TRIPOD[:23], -1, "", "24"), (rs.TRIPOD + [0], -1, "", "24"), ([], -1, "", "24"),
+                ([5] * 24, -1, "", "expected 0 .. 4"), ([], 7, "some run", "repertoire")]:
+            handle = self.session.send(genome, entry, run)
+            result = self.session.result(handle)
+            self.assertEqual(result.code, ExecuteBehaviorResult.INVALID_GOAL)
+            self.assertIn(says, result.message)
+        self.assertEqual(self.session.state(), ExecutorState.READY)
+
+    def test_cancel_ends_in_the_neutral_pose(self):
+        handle = self.session.send(rs.TRIPOD)
+        before = self.session.commands.count()
+        rs.wait_for(lambda: self.session.commands.count() > before + 30, 5.0, "30 commands")
+        handle.cancel()
+        result = self.session.result(handle)
+        self.assertEqual(result.code, ExecuteBehaviorResult.PREEMPTED, result.message)
+        self.assertEqual(handle.get_terminal_state(), GoalStatus.PREEMPTED)
+        self.assertEqual(set(self.session.commands.next().position), {0.0})
+        positions = [m.position for m in self.session.commands.all()]
+        step = max(abs(x - y) for a, b in zip(positions, positions[1:]) for x, y in zip(a, b))
+        self.assertLessEqual(step, 6.28 * 0.030 * (1 + 1e-8))
+
+    def test_the_emergency_stop_stops_until_armed_again(self):
+        handle = self.session.send(rs.TRIPOD)
+        self.session.wait_state(ExecutorState.WALKING)
+        rs.wait_for(lambda: self.e_stop.get_num_connections() > 0, 5.0, "a subscriber of e_stop")
+        self.e_stop.publish(True)
+        result = self.session.result(handle)
+        self.assertEqual(result.code, ExecuteBehaviorResult.STOPPED)
+        self.session.wait_state(ExecutorState.STOPPED)
+        self.session.commands.clear()
+        self.assertFalse(self.session.call("arm").success)
+        self.e_stop.publish(False)
+        self.assertFalse(self.session.call("stand").success)
+        # The state comes once a second: two of them later nothing was sent.
+        self.session.states.next()
+        self.session.states.next()
+        self.assertEqual(self.session.commands.count(), 0)
+        self.session.make_ready()
+
+    def test_the_stop_service_stops_at_once(self):
+        handle = self.session.send(rs.TRIPOD)
+        self.session.wait_state(ExecutorState.WALKING)
+        self.assertTrue(self.session.call("stop").success)
+        stopped = rospy.Time.now().to_nsec()
+        self.assertEqual(self.session.result(handle).code, ExecuteBehaviorResult.STOPPED)
+        self.session.states.next()
+        self.assertLess(rs.stamp_ns(self.session.commands.last()), stopped)
+
+    def test_sits_and_stands_up_again(self):
+        self.assertTrue(self.session.call("sit").success)
+        self.session.wait_state(ExecutorState.DISARMED)
+        self.assertGreater(max(map(abs, self.session.commands.last().position)), 0.5)
+        self.assertTrue(self.session.call("stand").success)
+        self.session.wait_state(ExecutorState.READY)
+
+    def test_a_reset_of_the_robot_breaks_the_behaviour_off(self):
+        handle = self.session.send(rs.TRIPOD)
+        self.session.wait_state(ExecutorState.WALKING)
+        self.reset_robot()
+        result = self.session.result(handle)
+        self.assertEqual(result.code, ExecuteBehaviorResult.FAULT)
+        self.assertIn("reset", result.message)
+        self.session.wait_state(ExecutorState.READY)
+
+
+if __name__ == "__main__":
+    rostest.rosrun("hexapod_repertoire", "executor_walk", ExecutorWalk)

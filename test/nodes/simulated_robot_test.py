@@ -1,0 +1,150 @@
+#!/usr/bin/python3
+"""The simulated robot, seen from its topics."""
+import math
+import os
+import sys
+import unittest
+
+import rospy
+import rostest
+import tf2_ros
+from diagnostic_msgs.msg import DiagnosticArray
+from nav_msgs.msg import Odometry
+from sensor_msgs.msg import JointState
+from std_srvs.srv import SetBool, Trigger
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import robot_session as rs  # noqa: E402
+
+JOINTS = [name for leg in range(6)
+          for name in ("body_leg_%d" % leg, "leg_%d_1_2" % leg, "leg_%d_2_3" % leg)]
+
+
+class SimulatedRobot(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        rospy.init_node("simulated_robot_test")
+        cls.joints = rs.Recorder("joint_states", JointState)
+        cls.odometry = rs.odometry_recorder()
+        cls.diagnostics = rs.Recorder("/diagnostics", DiagnosticArray)
+        cls.commands = rospy.Publisher("joint_command", JointState, queue_size=20)
+        rs.wait_for(lambda: cls.commands.get_num_connections() > 0, 20.0, "the simulated robot")
+
+    def setUp(self):
+        self.reset()
+
+    def reset(self):
+        self.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
+        self.joints.next()
+
+    def command(self, positions, names=None, stamp=None):
+        message = JointState(name=names or JOINTS, position=positions)
+        message.header.stamp = stamp or rospy.Time(0)
+        self.commands.publish(message)
+
+    def angles(self):
+        last = self.joints.last()
+        return dict(zip(last.name, last.position))
+
+    def wait_angle(self, joint, angle_rad):
+        rs.wait_for(lambda: abs(self.angles()[joint] - angle_rad) < 0.02, 5.0,
+                    "%s at %g rad" % (joint, angle_rad))
+
+    def ignored(self):
+        for array in reversed(self.diagnostics.all()):
+            for status in array.status:
+                if "simulation" in status.name:
+                    return {pair.key: pair.value for pair in status.values}
+        return {}
+
+    def test_names_its_joints_as_the_description_and_stands(self):
+        self.assertEqual(self.joints.next().name, JOINTS)
+        self.assertLess(max(map(abs, self.joints.last().position)), 0.05)
+        pose = self.odometry.next()
+        self.assertEqual(pose.header.frame_id, "odom")
+        self.assertEqual(pose.child_frame_id, "base_footprint")
+        self.assertLess(math.hypot(*rs.planar(pose)[:2]), 1e-3)
+
+    def test_steps_are_exactly_a_step_apart(self):
+        self.odometry.clear()
+        rs.wait_for(lambda: self.odometry.count() > 60, 10.0, "60 steps")
+        stamps = [rs.stamp_ns(m) for m in self.odometry.all()]
+        self.assertEqual({b - a for a, b in zip(stamps, stamps[1:])}, {15_000_000})
+
+    def test_follows_a_command_and_holds_it_in_silence(self):
+        target = [0.0] * 18
+        target[1] = 0.4
+        self.command(target)
+        self.wait_angle("leg_0_1_2", 0.4)
+        before = self.joints.count()
+        rs.wait_for(lambda: self.joints.count() > before + 100, 10.0, "100 steps of silence")
+        self.wait_angle("leg_0_1_2", 0.4)
+
+    def test_a_command_acts_its_latency_after_its_stamp(self):
+        target = [0.0] * 18
+        target[0] = 0.3
+        self.joints.clear()
+        stamp = rospy.Time.now()
+        self.command(target, stamp=stamp)
+        self.wait_angle("body_leg_0", 0.3)
+        still = [m for m in self.joints.all()
+                 if rs.stamp_ns(m) <= stamp.to_nsec() + rs.LATENCY_NS]
+        moving = next(m for m in self.joints.all() if m.position[0] > 0.01)
+        self.assertTrue(still)
+        self.assertLess(max(m.position[0] for m in still), 0.01)
+        self.assertLessEqual(rs.stamp_ns(moving), stamp.to_nsec() + rs.LATENCY_NS + 30_000_000)
+
+    def test_physics_never_sees_what_is_no_command(self):
+        before = int(rs.wait_for(self.ignored, 10.0, "diagnostics")["Commands ignored"])
+        bad = [[math.nan] + [0.5] * 17, [math.inf] * 18, [9.0] * 18, [0.5] * 17]
+        for positions in bad:
+            self.command(positions)
+        self.command([0.5] * 18, names=JOINTS[:17] + ["tail"])
+        self.command([0.5] * 18, names=JOINTS[:17] + JOINTS[:1])
+        rs.wait_for(lambda: int(self.ignored()["Commands ignored"]) == before + 6, 10.0,
+                    "six more commands ignored")
+        self.assertLess(max(map(abs, self.joints.next().position)), 0.05)
+
+    def test_reset_puts_it_back_and_time_goes_on(self):
+        target = [0.3] * 18
+        self.command(target)
+        self.wait_angle("body_leg_0", 0.3)
+        before = rs.stamp_ns(self.joints.last())
+        self.odometry.clear()
+        self.reset()
+        self.wait_angle("body_leg_0", 0.0)
+        self.assertGreater(rs.stamp_ns(self.joints.last()), before)
+        stamps = [rs.stamp_ns(m) for m in self.odometry.all()]
+        self.assertEqual(stamps, sorted(set(stamps)))
+
+    def test_pause_holds_the_robot_while_time_goes_on(self):
+        pause = rospy.ServiceProxy("simulated_robot/pause", SetBool)
+        self.assertTrue(pause(True).success)
+        try:
+            self.command([0.3] * 18)
+            before = self.joints.next()
+            rs.wait_for(lambda: rs.stamp_ns(self.joints.last()) > rs.stamp_ns(before) + 200_000_000,
+                        5.0, "time to go on")
+            self.assertEqual(self.joints.last().position, before.position)
+        finally:
+            pause(False)
+        self.wait_angle("body_leg_0", 0.3)
+
+    def test_tf_carries_the_footprint_and_the_height_above_it(self):
+        buffer = tf2_ros.Buffer()
+        listener = tf2_ros.TransformListener(buffer)
+        odom = self.odometry.next()
+        self.assertIsInstance(odom, Odometry)
+        flat = rs.wait_for(
+            lambda: buffer.can_transform("odom", "base_footprint", rospy.Time(0)) and
+            buffer.lookup_transform("odom", "base_footprint", rospy.Time(0)), 5.0, "tf")
+        self.assertEqual(flat.transform.translation.z, 0.0)
+        self.assertEqual((flat.transform.rotation.x, flat.transform.rotation.y), (0.0, 0.0))
+        body = buffer.lookup_transform("base_footprint", "base_link", rospy.Time(0)).transform
+        self.assertLess(math.hypot(body.translation.x, body.translation.y), 1e-9)
+        self.assertGreater(body.translation.z, 0.05)
+        listener.unregister()
+
+
+if __name__ == "__main__":
+    rostest.rosrun("hexapod_repertoire", "simulated_robot", SimulatedRobot)
