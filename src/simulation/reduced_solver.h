@@ -23,8 +23,8 @@ struct LegRows {
 template <typename Real, int kSegments>
 class Solver {
  public:
-  static constexpr int kBlockRounds = 12;
-  static constexpr int kMaxRounds = 100;
+  static constexpr int kBlockRounds = 8;
+  static constexpr int kMaxRounds = 200;
 
   using Tree = TreeTerms<Real, kSegments>;
   using Contacts = FloorContacts<Real, kSegments>;
