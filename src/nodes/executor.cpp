@@ -14,7 +14,7 @@ namespace {
 constexpr int kMasterLostExitCode = 3;
 
 int execute() {
-  if (!waitForMaster()) return 0;
+  if (!startProcess()) return 0;
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
   ExecutorNodeOptions options;
@@ -32,6 +32,6 @@ int execute() {
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  hexapod::initProcess(argc, argv, "executor");
+  ros::init(argc, argv, "executor", ros::init_options::NoSigintHandler);
   return hexapod::runNode(hexapod::execute);
 }

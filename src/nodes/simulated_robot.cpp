@@ -9,7 +9,7 @@ namespace hexapod {
 namespace {
 
 int simulate() {
-  if (!waitForMaster()) return 0;
+  if (!startProcess()) return 0;
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
   SimulatedRobotOptions options;
@@ -24,6 +24,6 @@ int simulate() {
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  hexapod::initProcess(argc, argv, "simulated_robot");
+  ros::init(argc, argv, "simulated_robot", ros::init_options::NoSigintHandler);
   return hexapod::runNode(hexapod::simulate);
 }

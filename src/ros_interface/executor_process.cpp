@@ -21,17 +21,13 @@ void onSignal(int) { leave = true; }
 
 }  // namespace
 
-void initProcess(int argc, char** argv, const std::string& name) {
-  ros::init(argc, argv, name, ros::init_options::NoSigintHandler);
-  std::signal(SIGINT, onSignal);
-  std::signal(SIGTERM, onSignal);
-}
-
-const std::atomic<bool>& leaveFlag() { return leave; }
-
-bool waitForMaster() {
+bool startProcess() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
   for (int poll = 0; !leave; ++poll) {
-    if (ros::master::check()) return true;
+    if (ros::master::check()) {
+      ros::start();
+      return true;
+    }
     if (poll % kPollsPerWarning == 0) {
       ROS_WARN_STREAM("No ROS master answers at " << ros::master::getURI()
                                                   << "; waiting. Start roscore or roslaunch.");
@@ -40,6 +36,8 @@ bool waitForMaster() {
   }
   return false;
 }
+
+const std::atomic<bool>& leaveFlag() { return leave; }
 
 RobotDescription requireRobot(const ros::NodeHandle& node, const std::string& robot_config) {
   try {

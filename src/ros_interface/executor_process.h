@@ -11,15 +11,13 @@ namespace hexapod {
 
 /// What the processes with a loop of their own share, executor and simulated robot.
 
-/// ros::init with our own signals: SIGINT and SIGTERM set leaveFlag(), so that a loop ends in order
-/// instead of in the middle of a command.
-void initProcess(int argc, char** argv, const std::string& name);
+/// Takes over the signals, waits for a ROS master, naming it every few seconds, and starts ROS for
+/// as long as the process lives. False when asked to leave meanwhile. Needs ros::init() with
+/// NoSigintHandler before.
+bool startProcess();
 
-/// True once the process was asked to leave.
+/// True once SIGINT, SIGTERM or SIGHUP came: a loop ends in order, not in the middle of a command.
 const std::atomic<bool>& leaveFlag();
-
-/// Waits for a ROS master and names it every few seconds. False when asked to leave meanwhile.
-bool waitForMaster();
 
 /// robotFromParams(), whose errors are wrong parameters here: throws std::invalid_argument.
 RobotDescription requireRobot(const ros::NodeHandle& node, const std::string& robot_config);

@@ -24,13 +24,19 @@ constexpr std::int64_t kReadAfterStall_ns = 5 * kMs;
 constexpr std::int64_t kLongestCatchUp_ns = 10'000 * kMs;
 constexpr std::int64_t kCommandPatience_ns = 100 * kMs;
 
+Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& robot) {
+  const EngineChoice choice = chooseEngine(options.engine, robot);
+  if (!choice.remark.empty()) ROS_WARN_STREAM(choice.remark);
+  return choice.engine;
+}
+
 }  // namespace
 
 SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                                        const SimulatedRobotOptions& options,
                                        const RobotDescription& robot)
     : options_(options),
-      world_(makeWorld(engineFromName(options.engine), robot, options.physics)),
+      world_(makeWorld(engineFor(options, robot), robot, options.physics)),
       step_ns_(std::llround(options.physics.step_s * 1e9)),
       time_ns_(static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
       steady_start_ns_(steadyNow_ns()),

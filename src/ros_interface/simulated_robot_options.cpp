@@ -10,7 +10,7 @@ std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
       option("robot_config", options.robot_config,
              "Path of the robot's YAML (legs, gait, servo, contact); its URDF is the parameter "
              "robot_description."),
-      option("engine", options.engine, "Simulation engine, as in learning."),
+      option("engine", options.engine, "Simulation engine, as in learning.", engineNames()),
       option("real_time_factor", options.real_time_factor, "",
              "Speed of simulated time; other than 1 only with publish_clock. 0: as fast as it can.",
              0.0, 100.0),

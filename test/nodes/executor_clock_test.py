@@ -6,9 +6,9 @@ import unittest
 
 import rospy
 import rostest
-from hexapod_repertoire.msg import ExecuteBehaviorResult, ExecutorState
+from hexapod_repertoire.msg import ExecutorState
 from rosgraph_msgs.msg import Clock, Log
-from std_srvs.srv import SetBool, Trigger
+from std_srvs.srv import SetBool
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import robot_session as rs  # noqa: E402
@@ -24,22 +24,7 @@ class ExecutorClock(unittest.TestCase):
         cls.session.wait_state(ExecutorState.READY)
 
     def test_three_runs_end_where_the_learner_says(self):
-        expected, _ = rs.offline_outcome(rospy.get_param("~binaries"), rospy.get_param("~root"),
-                                         rs.TRIPOD)
-        for run in range(3):
-            self.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
-            self.odometry.clear()
-            rs.wait_for(lambda: self.odometry.count() > rs.SETTLED_STEPS, 10.0, "the stand")
-            skipped = self.session.states.last().skipped
-            result = self.session.result(self.session.send(rs.TRIPOD))
-            self.assertEqual(result.code, ExecuteBehaviorResult.SUCCEEDED, result.message)
-            distance_m, turn_rad = rs.end_pose_error(self.odometry, result, expected)
-            late = self.session.states.next().skipped - skipped
-            print("run %d: %d commands skipped, end pose off by %.2e m, %.2e rad" %
-                  (run, late, distance_m, turn_rad))
-            if late == 0:
-                self.assertLess(distance_m, 1e-3)
-                self.assertLess(turn_rad, 1e-2)
+        rs.check_end_pose(self, self.session, self.odometry, runs=3)
 
     def test_pausing_stops_time_and_the_executor_still_answers(self):
         clock = rs.Recorder("/clock", Clock)

@@ -9,8 +9,9 @@ import random
 import signal
 import sys
 import unittest
+import xmlrpc.client
 
-import rosnode
+import rosgraph
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -99,8 +100,8 @@ class ExecutorFaults(unittest.TestCase):
         self.session.commands.clear()
 
     def executor_pid(self):
-        node_api = rosnode.get_api_uri(rospy.get_master(), "/executor")
-        return rosnode.ServerProxy(node_api).getPid("/test")[2]
+        node_api = rosgraph.Master(rospy.get_name()).lookupNode("/executor")
+        return xmlrpc.client.ServerProxy(node_api).getPid(rospy.get_name())[2]
 
     def test_feedback_in_any_order_and_with_other_joints_is_used(self):
         self.robot.spoil = shuffled
@@ -155,7 +156,7 @@ class ExecutorFaults(unittest.TestCase):
             status = diagnostic(self.diagnostics, "commands")
             return status.level if status else None
         rs.wait_for(lambda: level() == DiagnosticStatus.ERROR, 10.0, "an ERROR in diagnostics")
-        self.assertIn("executor_faults_test", diagnostic(self.diagnostics, "commands").message)
+        self.assertIn(rospy.get_name(), diagnostic(self.diagnostics, "commands").message)
         publisher.unregister()
         rs.wait_for(lambda: level() == DiagnosticStatus.OK, 10.0, "OK in diagnostics")
 

@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""The executor walks the simulated robot: what is played is what the learner evaluates."""
+"""The executor walks the simulated robot: goals, cancel, stops, stamps."""
 import os
 import sys
 import unittest
@@ -19,37 +19,12 @@ class ExecutorWalk(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("executor_walk_test")
-        cls.odometry = rs.odometry_recorder()
         cls.session = rs.Session()
-        cls.binaries = rospy.get_param("~binaries")
-        cls.root = rospy.get_param("~root")
         cls.e_stop = rospy.Publisher("e_stop", Bool, queue_size=1)
 
     def setUp(self):
         self.session.make_ready()
         self.session.commands.clear()
-        self.odometry.clear()
-
-    def reset_robot(self):
-        self.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
-        self.odometry.clear()
-
-    def test_three_runs_end_where_the_learner_says(self):
-        expected, _ = rs.offline_outcome(self.binaries, self.root, rs.TRIPOD)
-        for run in range(3):
-            self.reset_robot()
-            rs.wait_for(lambda: self.odometry.count() > rs.SETTLED_STEPS, 10.0, "the stand")
-            skipped = self.session.states.last().skipped
-            handle = self.session.send(rs.TRIPOD)
-            result = self.session.result(handle)
-            self.assertEqual(result.code, ExecuteBehaviorResult.SUCCEEDED, result.message)
-            distance_m, turn_rad = rs.end_pose_error(self.odometry, result, expected)
-            late = self.session.states.next().skipped - skipped
-            print("run %d: %d commands skipped, end pose off by %.2e m, %.2e rad" %
-                  (run, late, distance_m, turn_rad))
-            if late == 0:
-                self.assertLess(distance_m, 1e-3)
-                self.assertLess(turn_rad, 1e-2)
 
     def test_stamps_are_exactly_one_period_apart(self):
         rs.wait_for(lambda: self.session.commands.count() >= 50, 10.0, "50 commands")
@@ -125,8 +100,9 @@ class ExecutorWalk(unittest.TestCase):
 
     def test_a_reset_of_the_robot_breaks_the_behaviour_off(self):
         handle = self.session.send(rs.TRIPOD)
-        self.session.wait_state(ExecutorState.WALKING)
-        self.reset_robot()
+        before = self.session.commands.count()
+        rs.wait_for(lambda: self.session.commands.count() > before + 20, 5.0, "20 commands")
+        self.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
         result = self.session.result(handle)
         self.assertEqual(result.code, ExecuteBehaviorResult.FAULT)
         self.assertIn("reset", result.message)

@@ -6,7 +6,8 @@ import time
 
 import actionlib
 import rospy
-from hexapod_repertoire.msg import ExecuteBehaviorAction, ExecuteBehaviorGoal, ExecutorState
+from hexapod_repertoire.msg import (ExecuteBehaviorAction, ExecuteBehaviorGoal,
+                                    ExecuteBehaviorResult, ExecutorState)
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import JointState
 from std_srvs.srv import Trigger
@@ -61,7 +62,7 @@ class Recorder:
     def next(self, timeout_s=5.0):
         """The first message that comes from now on."""
         before = self.count()
-        wait_for(lambda: self.count() > before, timeout_s, "a message on " + str(before))
+        wait_for(lambda: self.count() > before, timeout_s, "a message on " + self._subscriber.name)
         return self.all()[before]
 
     def wait_publisher(self):
@@ -134,7 +135,7 @@ def odometry_at(odometry, time_ns, timeout_s=5.0):
 
 
 # The stand after a reset was settled at a finer step; by now it has settled at the present one too.
-SETTLED_STEPS = 150
+SETTLED_STEPS = 100
 
 
 def offline_outcome(binaries, root, genome):
@@ -157,6 +158,25 @@ def end_pose_error(odometry, result, expected):
     turn = pose[2] - expected[2]
     return (math.hypot(pose[0] - expected[0], pose[1] - expected[1]),
             abs(math.atan2(math.sin(turn), math.cos(turn))))
+
+
+def check_end_pose(test, session, odometry, runs):
+    """Plays TRIPOD from the settled stand; each run must end where the learner says."""
+    expected, _ = offline_outcome(rospy.get_param("~binaries"), rospy.get_param("~root"), TRIPOD)
+    for run in range(runs):
+        test.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
+        odometry.clear()
+        wait_for(lambda: odometry.count() > SETTLED_STEPS, 10.0, "the stand")
+        skipped = session.states.last().skipped
+        result = session.result(session.send(TRIPOD))
+        test.assertEqual(result.code, ExecuteBehaviorResult.SUCCEEDED, result.message)
+        distance_m, turn_rad = end_pose_error(odometry, result, expected)
+        late = session.states.next().skipped - skipped
+        print("run %d: %d commands skipped, end pose off by %.2e m, %.2e rad" %
+              (run, late, distance_m, turn_rad))
+        if late == 0:
+            test.assertLess(distance_m, 1e-3)
+            test.assertLess(turn_rad, 1e-2)
 
 
 def odometry_recorder():

@@ -43,7 +43,7 @@ class SimulatedRobot(unittest.TestCase):
         self.commands.publish(message)
 
     def angles(self):
-        last = self.joints.last()
+        last = self.joints.last() or self.joints.next()
         return dict(zip(last.name, last.position))
 
     def wait_angle(self, joint, angle_rad):
@@ -147,4 +147,4 @@ class SimulatedRobot(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rostest.rosrun("hexapod_repertoire", "simulated_robot", SimulatedRobot)
+    rostest.rosrun("hexapod_repertoire", "simulated_robot_test", SimulatedRobot)
