@@ -16,19 +16,28 @@ namespace hexapod {
 struct LearnOptions {
   std::string repertoire_file;
   bool overwrite = false;
+  bool resume = false;
   std::int64_t evaluations = 20000;
+  double time_budget_s = 0.0;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
-  std::string engine = "ode";
+  std::string engine = "reduced";
   double step_s = 0.015;
   std::int64_t validation_trials = 8;
-  double checkpoint_period_s = 10.0;
+  double checkpoint_period_s = 5.0;
   EvolutionOptions evolution;
   BehaviorOptions behavior;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(LearnOptions& options);
+
+/// The options that say what is learned, as texts by name, as the repertoire keeps them. Where it is
+/// kept, how often it is saved and how many threads work makes no difference to it.
+std::map<std::string, std::string> resultOptions(const LearnOptions& options);
+
+/// True for those of resultOptions() that only say when learning ends.
+bool isBudget(const std::string& option_name);
 
 /// Names a run by what determines its result: robot, options, seed. Equal runs have equal names.
 std::string runId(const RobotDescription& robot, const std::map<std::string, std::string>& options);

@@ -3,11 +3,14 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "evolution/br_evolution.h"
 #include "learning/learn_options.h"
+#include "learning/learning_phase.h"
+#include "learning/resume.h"
 #include "repertoire/repertoire.h"
 #include "repertoire/repertoire_writer.h"
 #include "robot/robot_description.h"
@@ -15,12 +18,6 @@
 #include "simulation/validation.h"
 
 namespace hexapod {
-
-/// What a session is doing.
-enum class LearningPhase { kEvolving, kValidating, kDone };
-
-/// "evolving", "validating", "done".
-std::string toString(LearningPhase phase);
 
 /// How far a session is.
 struct LearningStatus {
@@ -38,6 +35,12 @@ struct LearningStatus {
 /// A learning run from the first random genome to the validated repertoire in its file: evolution,
 /// simulation on all cores, history, checkpoints, validation.
 ///
+/// With the option `resume` it goes on from the last checkpoint of a run that was stopped or killed,
+/// and ends with the same entries as if nothing had happened. A run that had been finished stays as
+/// it is, unless it is given a larger budget: then it evolves further and validates all anew. (More
+/// evaluations later give the same as more at once if the former number was a multiple of
+/// population_size, so that no generation was cut short.)
+///
 /// run() does the work in the thread that calls it. requestStop() and requestSave() may be called
 /// from any thread; everything else belongs to the thread of run(), that is, to its hooks.
 class LearningSession {
@@ -54,8 +57,8 @@ class LearningSession {
   };
 
   /// Claims repertoire_file (RepertoireWriter). Throws std::invalid_argument for options that do
-  /// not fit, std::runtime_error for a file that cannot be written or that holds a repertoire while
-  /// `overwrite` is false.
+  /// not fit or not be those of the run to be resumed, std::runtime_error for a file that cannot be
+  /// written or that holds a repertoire while neither `overwrite` nor `resume` is set.
   LearningSession(const RobotDescription& robot, const LearnOptions& options, Clock clock);
 
   /// Evolves until the budget is used up, validates, saves. Returns true when all was done, false
@@ -68,15 +71,24 @@ class LearningSession {
   /// Asks for a checkpoint at the end of the generation under way.
   void requestSave() { save_ = true; }
 
+  /// A sentence for the user about what `resume` found, or empty without it.
+  std::string resumeRemark() const;
+
+  /// A sentence for the user about the engine (EngineChoice::remark), or empty.
+  const std::string& engineRemark() const { return engine_.remark; }
+
   LearningStatus status() const;
 
   /// The repertoire as it is now.
   Repertoire repertoire() const;
 
  private:
+  bool budgetIsLeft() const;
+  void lap();
   bool evolve(const Hooks& hooks);
   bool validateEntries(const Hooks& hooks);
   void recordHistory();
+  bool checkpointIsDue();
   void save(const Hooks& hooks);
 
   RobotDescription robot_;
@@ -85,6 +97,8 @@ class LearningSession {
   std::atomic<bool> stop_{false};
   std::atomic<bool> save_{false};
   RepertoireWriter writer_;
+  std::optional<Resumed> resumed_;
+  EngineChoice engine_;
   std::shared_ptr<WorldPool> worlds_;
   BehaviorEvaluator evaluator_;
   BrEvolution evolution_;
@@ -92,9 +106,10 @@ class LearningSession {
   std::vector<HistoryRow> history_;
   std::vector<Execution> executions_;  // per archive entry; empty until validated
   std::int64_t entries_validated_ = 0;
-  double started_s_ = 0.0;
-  double evolved_s_ = 0.0;
+  double evolved_s_ = 0.0;  // spent evolving, in earlier processes as well
+  double lap_s_ = 0.0;      // up to here evolved_s_ is counted
   double saved_s_ = 0.0;
+  double save_cost_s_ = 0.0;  // of the last save
 };
 
 }  // namespace hexapod

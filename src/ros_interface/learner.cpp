@@ -74,6 +74,7 @@ Learner::Learner(ros::NodeHandle& node, ros::NodeHandle& private_node,
 bool Learner::run() {
   ROS_INFO_STREAM("Learning run " << run_id_ << ": " << options_.learn.evaluations
                                   << " evaluations into " << options_.learn.repertoire_file << ".");
+  if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { progress(); };
   hooks.save_failed = [this](const std::string& problem) {

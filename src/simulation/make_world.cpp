@@ -1,13 +1,24 @@
 #include <stdexcept>
 
 #include "simulation/ode_world.h"
+#include "simulation/reduced_world.h"
 #include "simulation/world.h"
 
 namespace hexapod {
 
-Engine engineFromName(const std::string& name) {
-  if (name == "ode") return Engine::kOde;
-  throw std::invalid_argument("'engine' is '" + name + "', expected ode.");
+const std::vector<std::string>& engineNames() {
+  static const std::vector<std::string> names = {"reduced", "ode"};
+  return names;
+}
+
+EngineChoice chooseEngine(const std::string& name, const RobotDescription& robot) {
+  if (name == "ode") return {Engine::kOde, ""};
+  if (name != "reduced") {
+    throw std::invalid_argument("'engine' is '" + name + "', expected reduced or ode.");
+  }
+  std::string reason;
+  if (coversRobot(robot, reason)) return {Engine::kReduced, ""};
+  return {Engine::kOde, "Simulating with ODE instead of the engine reduced: " + reason};
 }
 
 std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
@@ -15,6 +26,8 @@ std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
   switch (engine) {
     case Engine::kOde:
       return std::make_unique<OdeWorld>(robot, physics);
+    case Engine::kReduced:
+      return std::make_unique<ReducedWorld>(robot, physics);
   }
   throw std::invalid_argument("Unknown simulation engine.");
 }

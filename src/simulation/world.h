@@ -63,11 +63,23 @@ class World {
 };
 
 /// Which implementation of World.
-enum class Engine { kOde };
+enum class Engine {
+  kOde,     ///< ODE itself: the reference, for any robot
+  kReduced  ///< the same equations in reduced coordinates, some thirty times as fast
+};
 
-/// The engine of a name, the choice of the option `engine`: "ode". Throws std::invalid_argument
-/// naming the known ones.
-Engine engineFromName(const std::string& name);
+/// The names of the engines: choices of the option `engine`.
+const std::vector<std::string>& engineNames();
+
+/// The engine to use for a robot.
+struct EngineChoice {
+  Engine engine = Engine::kOde;
+  std::string remark;  ///< a sentence for the user when it is not the one asked for; else empty
+};
+
+/// The engine named `name` (one of engineNames()), or ODE with a remark when that one does not cover
+/// the robot. Throws std::invalid_argument for another name.
+EngineChoice chooseEngine(const std::string& name, const RobotDescription& robot);
 
 /// Builds a world. The description is copied in. Throws std::invalid_argument when a physics value
 /// is out of range (naming it).
