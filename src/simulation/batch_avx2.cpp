@@ -3,6 +3,8 @@
 
 namespace hexapod::reduced {
 
-Stepper* makeAvx2Stepper(const ReducedModel& model) { return makeStepper<Lanes<4>>(model); }
+Stepper* makeAvx2Stepper(const ReducedModel& model) {
+  return makeStepper<Lanes<kAvx2Lanes>>(model);
+}
 
 }  // namespace hexapod::reduced

@@ -3,6 +3,8 @@
 
 namespace hexapod::reduced {
 
-Stepper* makeAvx512Stepper(const ReducedModel& model) { return makeStepper<Lanes<8>>(model); }
+Stepper* makeAvx512Stepper(const ReducedModel& model) {
+  return makeStepper<Lanes<kAvx512Lanes>>(model);
+}
 
 }  // namespace hexapod::reduced

@@ -3,6 +3,8 @@
 
 namespace hexapod::reduced {
 
-Stepper* makeBaselineStepper(const ReducedModel& model) { return makeStepper<Lanes<2>>(model); }
+Stepper* makeBaselineStepper(const ReducedModel& model) {
+  return makeStepper<Lanes<kBaselineLanes>>(model);
+}
 
 }  // namespace hexapod::reduced

@@ -19,6 +19,18 @@ std::string toString(InstructionSet instructions) {
   return "baseline";
 }
 
+int lanes(InstructionSet instructions) {
+  switch (instructions) {
+    case InstructionSet::kAvx2:
+      return kAvx2Lanes;
+    case InstructionSet::kAvx512:
+      return kAvx512Lanes;
+    case InstructionSet::kBaseline:
+      break;
+  }
+  return kBaselineLanes;
+}
+
 std::vector<InstructionSet> availableInstructionSets() {
   std::vector<InstructionSet> sets{InstructionSet::kBaseline};
 #ifdef HEXAPOD_X86_KERNELS

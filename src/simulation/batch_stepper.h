@@ -14,6 +14,9 @@ enum class InstructionSet { kBaseline, kAvx2, kAvx512 };
 /// "baseline", "AVX2", "AVX-512".
 std::string toString(InstructionSet instructions);
 
+/// Robots per register: 2, 4, 8.
+int lanes(InstructionSet instructions);
+
 /// Those that were built in and that this machine's processor has; kBaseline is always one.
 std::vector<InstructionSet> availableInstructionSets();
 

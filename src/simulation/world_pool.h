@@ -23,6 +23,7 @@ class WorldPool {
   WorldPool(const WorldPool&) = delete;
   WorldPool& operator=(const WorldPool&) = delete;
 
+  Engine engine() const { return engine_; }
   const RobotDescription& robot() const { return robot_; }
   const Physics& physics() const { return physics_; }
   int threads() const;

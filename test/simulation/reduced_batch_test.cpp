@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "simulation/batch_rollout.h"
+#include "simulation/behavior_evaluator.h"
 #include "simulation/reduced_world.h"
 #include "simulation/rollout.h"
 #include "test_robots.h"
@@ -102,6 +105,39 @@ TEST(BatchRollout, CountsOnlyTheLaneThatBlowsUpAsDiverged) {
   const std::vector<BatchResult> found = batch.play(all, kPeriod_s);
   EXPECT_EQ(found[2].outcome.verdict, Verdict::kDiverged);
   for (const std::size_t i : {0u, 1u, 3u, 4u}) expectSame({found[i]}, {expected[i]});
+}
+
+TEST(BatchRollout, GivesAnEvaluatorTheOutcomesOfASingleWorldOnAnyNumberOfThreads) {
+  const RobotDescription robot = hexapodWithWideHips();
+  const std::vector<Genome> genomes = randomGenomes(robot, 21, 8);
+  const std::vector<Behavior> played = behaviors(robot, 21);
+  const std::vector<BatchResult> expected = oneByOne(robot, runs(played));
+  for (const int threads : {1, 2, 8}) {
+    SCOPED_TRACE(threads);
+    const auto worlds = std::make_shared<WorldPool>(Engine::kReduced, robot, Physics(), threads);
+    BehaviorEvaluator evaluator(worlds, shortBehavior());
+    const std::vector<Outcome> outcomes = evaluator.evaluate(genomes);
+    ASSERT_EQ(outcomes.size(), expected.size());
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      EXPECT_EQ(outcomes[i].verdict, expected[i].outcome.verdict) << i;
+      EXPECT_EQ(outcomes[i].end_pose.x_m, expected[i].outcome.end_pose.x_m) << i;
+      EXPECT_EQ(outcomes[i].end_pose.yaw_rad, expected[i].outcome.end_pose.yaw_rad) << i;
+    }
+    EXPECT_EQ(evaluator.counts().simulations, 21);
+  }
+}
+
+TEST(BatchRollout, LetsAnEvaluatorNameTheGenomeThatCannotBeSimulated) {
+  const RobotDescription robot = handMadeHexapod();
+  const auto worlds = std::make_shared<WorldPool>(Engine::kReduced, robot, Physics(), 2);
+  BehaviorEvaluator evaluator(worlds, shortBehavior());
+  try {
+    evaluator.evaluate({standing(robot), {1, 2, 3, 0}});
+    FAIL() << "simulated a genome of four genes";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string(error.what()).find("Genome 1230 cannot be simulated"), std::string::npos)
+        << error.what();
+  }
 }
 
 TEST(BatchRollout, TakesNoRunsAtAll) {
