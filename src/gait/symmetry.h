@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "gait/genome.h"
+#include "gait/outcome.h"
+#include "geometry/pose2.h"
+#include "robot/robot_description.h"
+
+namespace hexapod {
+
+/// A way in which the robot is its own image, with what that does to gaits and to where they lead:
+/// a robot that walks the image of a genome ends at the image of the genome's end pose.
+///
+/// Exact up to rounding in the last bits; Outcome's 1e-5 hide these. Every symmetry is its own
+/// inverse. Immutable; const functions may be called from any thread.
+class Symmetry {
+ public:
+  /// Where a leg's gait goes.
+  struct LegImage {
+    std::size_t leg = 0;  ///< the leg that moves in its place
+    /// Whether signal 1 and signal 2 have to be negated there: half a period later.
+    std::array<bool, 2> half_period = {false, false};
+  };
+
+  /// `x_sign` -1: front and rear are exchanged; `y_sign` -1: left and right are; each 1 or -1.
+  /// One leg image per leg.
+  Symmetry(double x_sign, double y_sign, std::vector<LegImage> legs);
+
+  /// "left-right", "fore-aft" or, both at once, "half turn".
+  std::string name() const;
+
+  const std::vector<LegImage>& legs() const { return legs_; }
+
+  /// Canonical genome of the image gait. `genome` must have 4 genes per leg.
+  Genome image(const Genome& genome) const;
+  /// Left-right: (x, -y, -yaw); fore-aft: (-x, y, -yaw); half turn: (-x, -y, yaw).
+  Pose2 image(const Pose2& start_from_end) const;
+  /// The same verdict and orientation error, the image of the end pose.
+  Outcome image(const Outcome& outcome) const;
+
+ private:
+  double x_sign_;
+  double y_sign_;
+  std::vector<LegImage> legs_;
+};
+
+/// The symmetries of a robot, found in its description: left-right, fore-aft and half turn, those
+/// that exist. In the neutral pose, geometry, masses, collision shapes, joint axes, limits, servos
+/// and the gait's signals and amplitudes must map onto each other to 1e-6 of their units. A joint
+/// whose mirrored axis or amplitude has the opposite sign moves half a period later.
+std::vector<Symmetry> symmetriesOf(const RobotDescription& robot);
+
+}  // namespace hexapod
