@@ -30,8 +30,7 @@ class LaneStepper final : public Stepper {
   }
 
   void store(int lane_index, double* values) const override {
-    forEachValue(model_, const_cast<State<Real>&>(state_),
-                 [&](const Real& value) { *values++ = lane(value, lane_index); });
+    forEachValue(model_, state_, [&](const Real& value) { *values++ = lane(value, lane_index); });
   }
 
   void setTargets(int lane, const double* targets_rad) override {

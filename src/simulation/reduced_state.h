@@ -13,8 +13,6 @@ struct BodyState {
   Vec3<Real> rate;            ///< angular velocity [rad/s]
 };
 
-constexpr int kValuesPerBody = 13;
-
 /// All bodies in maximal coordinates, because the small gaps of the joints are part of the state,
 /// and the servos' targets. Real = Lanes<n>: of n robots.
 template <typename Real>
@@ -24,21 +22,22 @@ struct State {
   Real target[kMaxLegs][kMaxSegments];  ///< [rad]
 };
 
-/// Calls use(value) for every number of the state in the order of OdeWorld::state(): per body
-/// (base, then segments in joint order) position, quaternion, velocity, rate; then the targets.
-template <typename Real, typename Use>
-inline void forEachValue(BodyState<Real>& body, const Use& use) {
+template <typename Body, typename Use>
+inline void forEachValueOf(Body& body, const Use& use) {
   use(body.position.x), use(body.position.y), use(body.position.z);
   use(body.rotation.w), use(body.rotation.x), use(body.rotation.y), use(body.rotation.z);
   use(body.velocity.x), use(body.velocity.y), use(body.velocity.z);
   use(body.rate.x), use(body.rate.y), use(body.rate.z);
 }
 
-template <typename Real, typename Use>
-inline void forEachValue(const ReducedModel& model, State<Real>& state, const Use& use) {
-  forEachValue(state.base, use);
+/// Calls use(value) for every number of a State, const or not, in the order of OdeWorld::state():
+/// per body (base, then segments in joint order) position, quaternion, velocity, rate; then the
+/// targets.
+template <typename AnyState, typename Use>
+inline void forEachValue(const ReducedModel& model, AnyState& state, const Use& use) {
+  forEachValueOf(state.base, use);
   for (int leg = 0; leg < model.legs; ++leg) {
-    for (int s = 0; s < model.segments; ++s) forEachValue(state.segment[leg][s], use);
+    for (int s = 0; s < model.segments; ++s) forEachValueOf(state.segment[leg][s], use);
   }
   for (int leg = 0; leg < model.legs; ++leg) {
     for (int s = 0; s < model.segments; ++s) use(state.target[leg][s]);
