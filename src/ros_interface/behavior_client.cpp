@@ -5,6 +5,7 @@ namespace {
 
 constexpr double kServerTimeout = 2.0;
 constexpr double kPoll = 0.05;
+constexpr double kReadyTimeout = 5.0;
 // A behaviour that is broken off still returns to the neutral pose.
 constexpr double kCancelTimeout = 5.0;
 
@@ -21,6 +22,19 @@ BehaviorClient::Result BehaviorClient::play(std::int64_t entry_id, const std::st
   hexapod_repertoire::ExecuteBehaviorGoal goal;
   goal.entry_id = entry_id;
   goal.run_id = run_id;
+  // An executor that is still standing up, or returning to the neutral pose, is ready soon.
+  const ros::Time patience = ros::Time::now() + ros::Duration(kReadyTimeout);
+  Result result = playOnce(goal, longest_s, cancelled);
+  while (result.end == End::kNotReady && ros::Time::now() < patience && !cancelled() && ros::ok()) {
+    ros::Duration(kPoll).sleep();
+    result = playOnce(goal, longest_s, cancelled);
+  }
+  return result;
+}
+
+BehaviorClient::Result BehaviorClient::playOnce(
+    const hexapod_repertoire::ExecuteBehaviorGoal& goal, double longest_s,
+    const std::function<bool()>& cancelled) {
   client_.sendGoal(goal);
   ros::Time deadline = ros::Time::now() + ros::Duration(longest_s);
   bool cancelling = false;
@@ -43,6 +57,9 @@ BehaviorClient::Result BehaviorClient::play(std::int64_t entry_id, const std::st
                                   : client_.getState().getText();
   const ros::Time finished = result ? result->finished : ros::Time(0);
   if (played) return {End::kPlayed, message, finished};
+  if (result && result->code == hexapod_repertoire::ExecuteBehaviorResult::NOT_READY) {
+    return {End::kNotReady, message, finished};
+  }
   return {cancelling ? End::kCancelled : End::kFault, message, finished};
 }
 

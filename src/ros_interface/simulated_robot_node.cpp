@@ -88,11 +88,15 @@ void SimulatedRobotNode::catchUpIfStalled(std::int64_t late_ns) {
   if (options_.real_time_factor == 0.0 || late_ns < kStall_ns) return;
   sleepUntilSteady(steadyNow_ns() + kReadAfterStall_ns);
   waitAndServe(0);
+  if (options_.publish_clock) {
+    // Time is ours: it stood still, for everybody, as long as we did.
+    steady_start_ns_ += late_ns;
+    return;
+  }
   if (late_ns < kLongestCatchUp_ns) return;
   ROS_WARN_STREAM("The simulated robot stood still for " << 1e-9 * static_cast<double>(late_ns)
                                                          << " s; its process was stopped.");
-  const double behind_ns = static_cast<double>(late_ns) * options_.real_time_factor;
-  const std::int64_t steps = static_cast<std::int64_t>(behind_ns) / step_ns_;
+  const std::int64_t steps = late_ns / step_ns_;
   steps_ += steps;
   time_ns_ += steps * step_ns_;
 }

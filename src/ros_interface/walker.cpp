@@ -271,7 +271,8 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
         executor_.play(decision.step->id, planner->repertoire().run_id,
                        planner->repertoire().behavior_duration_s + kBehaviorGrace_s,
                        [this] { return interrupted(); });
-    if (result.end == BehaviorClient::End::kFault) {
+    if (result.end == BehaviorClient::End::kFault ||
+        result.end == BehaviorClient::End::kNotReady) {
       report.code = Code::EXECUTOR_FAULT;
       report.message = "The executor stopped the walk: " + result.message;
       return report;
