@@ -86,8 +86,10 @@ def test_cmake_finds_exactly_the_build_dependencies():
     declared = package()
     for_cmake = names(declared.build_depends) | names(declared.test_depends)
     found = found_by_cmake()
-    assert found <= for_cmake
-    assert names(declared.build_depends) <= found
+    undeclared = found - for_cmake
+    assert not undeclared
+    unused = names(declared.build_depends) - found
+    assert not unused
 
 
 def test_headers_of_ros_packages_come_from_declared_dependencies():
@@ -95,7 +97,8 @@ def test_headers_of_ros_packages_come_from_declared_dependencies():
     used = {header for file in files("*.h", "*.cpp")
             for header in re.findall(r"#include <(\w+(?:_msgs|_srvs|_ros)|tf2\w*|actionlib)/",
                                      file.read_text(encoding="utf-8"))}
-    assert used <= declared
+    undeclared = used - declared
+    assert not undeclared
 
 
 def test_python_imports_come_from_declared_dependencies():
@@ -107,13 +110,15 @@ def test_python_imports_come_from_declared_dependencies():
     used = {module for file in files("*.py")
             for module in re.findall(r"^\s*(?:import|from) (\w+)", file.read_text(encoding="utf-8"),
                                      re.MULTILINE)} - set(standard) - local
-    assert {MODULE_IN_PACKAGE_XML.get(module, module) for module in used} <= declared
+    undeclared = {MODULE_IN_PACKAGE_XML.get(module, module) for module in used} - declared
+    assert not undeclared
 
 
 def test_nodes_of_launch_files_come_from_declared_dependencies():
     used = {name for file in (ROOT / "launch").glob("*.launch")
             for name in re.findall(r'pkg="(\w+)"', file.read_text(encoding="utf-8"))}
-    assert used - OWN <= names(package().exec_depends)
+    undeclared = used - OWN - names(package().exec_depends)
+    assert not undeclared
 
 
 def test_catkin_lint_is_content():
