@@ -110,10 +110,14 @@ class Conveyor {
 
 BatchRollout::BatchRollout(const RobotDescription& robot, const Physics& physics,
                            reduced::InstructionSet instructions)
+    : BatchRollout(robot, physics, ReducedWorld(robot, physics).state(), instructions) {}
+
+BatchRollout::BatchRollout(const RobotDescription& robot, const Physics& physics,
+                           const WorldState& settled, reduced::InstructionSet instructions)
     : physics_(physics),
       model_(std::make_unique<reduced::ReducedModel>(reduced::makeModel(robot, physics))),
       stepper_(reduced::makeBatchStepper(*model_, instructions)),
-      settled_(ReducedWorld(robot, physics).state()) {
+      settled_(settled) {
   for (int lane = 0; lane < lanes(); ++lane) stepper_->load(lane, settled_.values.data());
 }
 
@@ -126,6 +130,28 @@ std::vector<BatchResult> BatchRollout::play(const std::vector<BatchRun>& runs,
   checkRuns(runs, settled_.values.size());
   const std::size_t steps = stepsPerCommand(command_period_s, physics_.step_s);
   return Conveyor(*model_, *stepper_, settled_, runs, steps).run(physics_.step_s);
+}
+
+std::vector<Outcome> playEach(World& world, const std::vector<BatchRun>& runs,
+                              double command_period_s) {
+  std::vector<Outcome> outcomes;
+  outcomes.reserve(runs.size());
+  if (auto* reduced = dynamic_cast<ReducedWorld*>(&world)) {
+    for (const BatchResult& result : reduced->batch().play(runs, command_period_s)) {
+      outcomes.push_back(result.outcome);
+    }
+    return outcomes;
+  }
+  for (const BatchRun& run : runs) {
+    world.restart();
+    if (run.start != nullptr) world.restore(*run.start);
+    outcomes.push_back(play(world, *run.behavior, command_period_s));
+  }
+  return outcomes;
+}
+
+std::size_t runsAtOnce(Engine engine) {
+  return engine == Engine::kReduced ? reduced::lanes(reduced::bestInstructionSet()) : 1;
 }
 
 }  // namespace hexapod

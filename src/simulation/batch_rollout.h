@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <vector>
 
@@ -33,6 +34,9 @@ class BatchRollout {
   /// Throws as ReducedWorld does; std::invalid_argument when the machine lacks `instructions`.
   BatchRollout(const RobotDescription& robot, const Physics& physics,
                reduced::InstructionSet instructions = reduced::bestInstructionSet());
+  /// The same without settling: `settled` is the state of a restarted ReducedWorld.
+  BatchRollout(const RobotDescription& robot, const Physics& physics, const WorldState& settled,
+               reduced::InstructionSet instructions = reduced::bestInstructionSet());
   ~BatchRollout();
 
   /// Robots per register: a multiple of it in `runs` leaves none idle, many more hide the rest.
@@ -52,5 +56,14 @@ class BatchRollout {
   std::unique_ptr<reduced::Stepper> stepper_;
   WorldState settled_;
 };
+
+/// Plays every run from its own start in the given world, or beside it: in batches where it is a
+/// ReducedWorld, one after the other elsewhere. Outcomes are those of play() after restart() or
+/// restore(); the world's state afterwards is any. Throws as play() and restore() do.
+std::vector<Outcome> playEach(World& world, const std::vector<BatchRun>& runs,
+                              double command_period_s);
+
+/// How many runs playEach() should get at a time to make the best of an engine.
+std::size_t runsAtOnce(Engine engine);
 
 }  // namespace hexapod

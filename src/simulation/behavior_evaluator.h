@@ -2,14 +2,11 @@
 
 #include <atomic>
 #include <cstdint>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <vector>
 
 #include "evolution/evaluator.h"
 #include "gait/behavior.h"
-#include "simulation/batch_rollout.h"
 #include "simulation/world_pool.h"
 
 namespace hexapod {
@@ -28,7 +25,7 @@ struct SimulationCounts {
 ///
 /// Simulates the canonical() form of every genome, so that equal gaits have equal outcomes. An
 /// outcome depends on its genome alone, whatever the number of threads. With the reduced engine
-/// several behaviours are played at once in each thread (BatchRollout).
+/// several behaviours are played at once in each thread (playEach()).
 class BehaviorEvaluator : public Evaluator {
  public:
   /// Throws std::invalid_argument when the options do not fit the robot. `cancelled`, if given,
@@ -44,18 +41,12 @@ class BehaviorEvaluator : public Evaluator {
   const SimulationCounts& counts() const { return counts_; }
 
  private:
-  void playOneByOne(const std::vector<Genome>& genomes, std::vector<Outcome>& outcomes);
-  void playInBatches(const std::vector<Genome>& genomes, std::vector<Outcome>& outcomes);
   Behavior behaviorOf(const Genome& genome) const;
-  BatchRollout& batchOf(const World& world);
-  void checkCancelled() const;
 
   std::shared_ptr<WorldPool> worlds_;
   BehaviorOptions options_;
   const std::atomic<bool>* cancelled_;
   SimulationCounts counts_;
-  std::mutex batches_mutex_;
-  std::map<const World*, std::unique_ptr<BatchRollout>> batches_;  // one beside each world
 };
 
 }  // namespace hexapod

@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "simulation/batch_rollout.h"
 #include "simulation/physics.h"
 #include "simulation/reduced_angle.h"
 #include "simulation/reduced_make_model.h"
@@ -110,6 +111,11 @@ void ReducedWorld::jointAngles(std::vector<double>& angles_rad) const {
       parent = &child;
     }
   }
+}
+
+BatchRollout& ReducedWorld::batch() {
+  if (!batch_) batch_ = std::make_unique<BatchRollout>(description_, physics_, settled_);
+  return *batch_;
 }
 
 std::size_t ReducedWorld::valueCount() const {

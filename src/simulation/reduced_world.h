@@ -9,6 +9,7 @@
 
 namespace hexapod {
 
+class BatchRollout;
 namespace reduced {
 struct ReducedModel;
 class Stepper;
@@ -47,6 +48,10 @@ class ReducedWorld : public World {
   Eigen::Isometry3d worldFromBase() const override;
   void jointAngles(std::vector<double>& angles_rad) const override;
 
+  /// Plays many behaviours at once for the same robot and physics; independent of this world's
+  /// state, made when first asked for, lives as long as the world.
+  BatchRollout& batch();
+
  private:
   void settle();
   Verdict advance(double step_s);
@@ -58,6 +63,7 @@ class ReducedWorld : public World {
   std::unique_ptr<reduced::Stepper> stepper_;
   bool diverged_ = false;
   WorldState settled_;
+  std::unique_ptr<BatchRollout> batch_;
 };
 
 /// True when ReducedWorld can simulate this robot; otherwise `reason` becomes a sentence that says

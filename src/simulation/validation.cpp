@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/random.h"
+#include "simulation/batch_rollout.h"
 #include "simulation/rollout.h"
 
 namespace hexapod {
@@ -88,12 +89,11 @@ class Validation {
 
   Execution execute(World& world, std::size_t i) const {
     const Behavior behavior(world.robot(), canonical(genomes_[i]), behavior_);
-    std::vector<Outcome> outcomes;
+    std::vector<BatchRun> runs;
     for (const std::size_t s : chooseStartStates(i)) {
-      world.restore(start_states_[s]);
-      outcomes.push_back(play(world, behavior, behavior_.command_period_s));
+      runs.push_back({&behavior, &start_states_[s]});
     }
-    return summarize(outcomes);
+    return summarize(playEach(world, runs, behavior_.command_period_s));
   }
 
   // The first `trials` of a random permutation.

@@ -127,6 +127,28 @@ TEST(BatchRollout, GivesAnEvaluatorTheOutcomesOfASingleWorldOnAnyNumberOfThreads
   }
 }
 
+TEST(PlayEach, GivesTheOutcomesOfPlayWithEitherEngine) {
+  const RobotDescription robot = handMadeHexapod();
+  const std::vector<Behavior> played = behaviors(robot, 3);
+  for (const Engine engine : {Engine::kOde, Engine::kReduced}) {
+    const std::unique_ptr<World> world = makeWorld(engine, robot, Physics());
+    play(*world, played[2], kPeriod_s);
+    const WorldState start = world->state();
+    std::vector<BatchRun> chosen = runs(played);
+    chosen[1].start = &start;
+    const std::vector<Outcome> outcomes = playEach(*world, chosen, kPeriod_s);
+    ASSERT_EQ(outcomes.size(), 3u);
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+      world->restart();
+      if (i == 1) world->restore(start);
+      const Outcome expected = play(*world, played[i], kPeriod_s);
+      EXPECT_EQ(outcomes[i].end_pose.x_m, expected.end_pose.x_m);
+      EXPECT_EQ(outcomes[i].end_pose.y_m, expected.end_pose.y_m);
+      EXPECT_EQ(outcomes[i].end_pose.yaw_rad, expected.end_pose.yaw_rad);
+    }
+  }
+}
+
 TEST(BatchRollout, LetsAnEvaluatorNameTheGenomeThatCannotBeSimulated) {
   const RobotDescription robot = handMadeHexapod();
   const auto worlds = std::make_shared<WorldPool>(Engine::kReduced, robot, Physics(), 2);
