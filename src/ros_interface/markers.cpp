@@ -52,9 +52,10 @@ void addTick(visualization_msgs::Marker& lines, const Pose2& pose, double headin
                                pose.y_m + kTickLength * std::sin(heading_rad)));
 }
 
-// An empty list marker is an error in rviz: ask for its deletion instead.
+// A list marker without points, or a line of one, is an error in rviz: ask for its deletion instead.
 visualization_msgs::Marker shown(visualization_msgs::Marker marker) {
-  if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
+  const std::size_t fewest = marker.type == visualization_msgs::Marker::LINE_STRIP ? 2 : 1;
+  if (marker.points.size() < fewest) marker.action = visualization_msgs::Marker::DELETE;
   return marker;
 }
 
@@ -103,7 +104,10 @@ visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire) 
     addTick(tangents, pose, arcThrough(pose.x_m, pose.y_m).heading_rad);
   }
   visualization_msgs::MarkerArray array;
-  array.markers = {shown(points), shown(headings), shown(tangents)};
+  for (auto* list : {&points, &headings, &tangents}) {
+    list->frame_locked = true;
+    array.markers.push_back(shown(*list));
+  }
   return array;
 }
 
