@@ -5,11 +5,13 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
-
-#include "evolution/neighbourhood.h"
+#include <utility>
 
 namespace hexapod {
 namespace {
+
+// Fewer entries per candidate than this: the archive has filled, as far as its threshold lets it.
+constexpr double kEnoughAdded = 0.02;
 
 /// The outcome, or kDiverged when a number of it is unusable.
 Outcome checked(const Outcome& outcome) {
@@ -36,7 +38,14 @@ Individual individualOf(const Entry& entry) {
   individual.genotype = entry.genome;
   individual.genome = entry.genome;
   individual.outcome = {Verdict::kWalked, entry.end_pose, entry.orientation_error_rad};
+  individual.looked_twice = true;
   return individual;
+}
+
+void requireOneEach(const std::vector<Outcome>& outcomes, const std::vector<Genome>& genomes) {
+  if (outcomes.size() == genomes.size()) return;
+  throw std::logic_error("The evaluator gave " + std::to_string(outcomes.size()) +
+                         " outcomes for " + std::to_string(genomes.size()) + " genomes.");
 }
 
 void requireGeneCount(const Genome& genome, std::size_t gene_count, const std::string& owner) {
@@ -49,16 +58,24 @@ void requireGeneCount(const Genome& genome, std::size_t gene_count, const std::s
 }  // namespace
 
 BrEvolution::BrEvolution(const EvolutionOptions& options, std::size_t gene_count,
-                         Evaluator& evaluator, const Random& random)
-    : options_(options), gene_count_(gene_count), evaluator_(&evaluator), random_(random) {
+                         Evaluator& evaluator, const Random& random,
+                         std::vector<Symmetry> symmetries)
+    : options_(options),
+      gene_count_(gene_count),
+      evaluator_(&evaluator),
+      random_(random),
+      novelty_threshold_m_(options.novelty_threshold_m) {
   requireValid(options);
+  if (options.offer_twins) symmetries_ = std::move(symmetries);
   if (gene_count == 0) throw std::invalid_argument("An evolution needs genomes of 1 gene or more.");
 }
 
 BrEvolution::BrEvolution(const EvolutionOptions& options, std::size_t gene_count,
-                         Evaluator& evaluator, const EvolutionState& state)
-    : BrEvolution(options, gene_count, evaluator, state.random) {
+                         Evaluator& evaluator, const EvolutionState& state,
+                         std::vector<Symmetry> symmetries)
+    : BrEvolution(options, gene_count, evaluator, state.random, std::move(symmetries)) {
   next_id_ = state.next_id;
+  novelty_threshold_m_ = state.novelty_threshold_m;
   counters_ = state.counters;
   population_ = state.population;
   archive_ = Archive(state.archive);
@@ -80,18 +97,27 @@ void BrEvolution::step(std::int64_t most_candidates) {
   Random random = random_;
   std::vector<Individual> candidates = nextCandidates(size, random);
   evaluate(candidates);
-  random_ = random;
-  next_id_ += static_cast<std::int64_t>(size);
-  count(candidates);
   std::vector<Individual> pool = population_;
   pool.insert(pool.end(), candidates.begin(), candidates.end());
-  const std::vector<Objectives> objectives = offerToArchive(pool);
+  std::vector<bool> is_news(pool.size(), false);
+  std::fill(is_news.begin() + static_cast<std::ptrdiff_t>(population_.size()), is_news.end(), true);
+  const std::vector<std::size_t> looked_at = lookAgain(pool);
+  for (const std::size_t i : looked_at) is_news[i] = true;
+  // Nothing below can fail.
+  random_ = random;
+  next_id_ += static_cast<std::int64_t>(size * (1 + symmetries_.size()));
+  counters_.evaluations += static_cast<std::int64_t>(size);
+  counters_.looked_twice += static_cast<std::int64_t>(looked_at.size());
+  countFailures(pool, is_news);
+  const std::int64_t added_before = counters_.added;
+  const std::vector<Objectives> objectives = offerToArchive(pool, is_news);
+  refineNovelty(counters_.added - added_before, size);
   population_ = selected(pool, objectives);
   ++counters_.generations;
 }
 
 EvolutionState BrEvolution::state() const {
-  return {random_, next_id_, counters_, population_, archive_.entries()};
+  return {random_, next_id_, counters_, novelty_threshold_m_, population_, archive_.entries()};
 }
 
 Genome BrEvolution::randomGenotype(Random& random) const {
@@ -113,17 +139,33 @@ std::vector<Individual> BrEvolution::nextCandidates(std::size_t count, Random& r
   std::vector<Standing> standings;
   standings.reserve(population_.size());
   for (const Individual& individual : population_) standings.push_back(individual.standing);
+  const std::vector<const Entry*> elders = archiveParents();
   std::vector<Individual> candidates(count);
   for (std::size_t i = 0; i < count; ++i) {
     Individual& candidate = candidates[i];
-    candidate.id = next_id_ + static_cast<std::int64_t>(i);
+    // The ids in between are for its twins.
+    candidate.id = next_id_ + static_cast<std::int64_t>(i * (1 + symmetries_.size()));
     candidate.evaluation = counters_.evaluations + static_cast<std::int64_t>(i) + 1;
-    candidate.genotype = population_.empty()
-                             ? randomGenotype(random)
-                             : mutated(population_[tournament(standings, random)].genotype, random);
+    if (population_.empty()) {
+      candidate.genotype = randomGenotype(random);
+    } else if (!elders.empty() && random.chance(options_.archive_parents)) {
+      candidate.genotype = mutated(elders[random.below(elders.size())]->genome, random);
+    } else {
+      candidate.genotype = mutated(population_[tournament(standings, random)].genotype, random);
+    }
     candidate.genome = canonical(candidate.genotype);
   }
   return candidates;
+}
+
+std::vector<const Entry*> BrEvolution::archiveParents() const {
+  std::vector<const Entry*> entries;
+  if (options_.archive_parents <= 0.0) return entries;
+  for (const Entry& entry : archive_.entries()) entries.push_back(&entry);
+  // A resumed archive may have another order.
+  std::sort(entries.begin(), entries.end(),
+            [](const Entry* a, const Entry* b) { return a->id < b->id; });
+  return entries;
 }
 
 void BrEvolution::evaluate(std::vector<Individual>& candidates) const {
@@ -131,45 +173,112 @@ void BrEvolution::evaluate(std::vector<Individual>& candidates) const {
   genomes.reserve(candidates.size());
   for (const Individual& candidate : candidates) genomes.push_back(candidate.genome);
   const std::vector<Outcome> outcomes = evaluator_->evaluate(genomes);
-  if (outcomes.size() != genomes.size()) {
-    throw std::logic_error("The evaluator gave " + std::to_string(outcomes.size()) +
-                           " outcomes for " + std::to_string(genomes.size()) + " genomes.");
+  requireOneEach(outcomes, genomes);
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    candidates[i].outcome = checked(outcomes[i]);
+    candidates[i].looked_twice = !evaluator_->looksTwice();
   }
-  for (std::size_t i = 0; i < candidates.size(); ++i) candidates[i].outcome = checked(outcomes[i]);
 }
 
-void BrEvolution::count(const std::vector<Individual>& candidates) {
-  for (const Individual& candidate : candidates) {
-    const Verdict verdict = candidate.outcome.verdict;
-    ++counters_.evaluations;
+std::vector<std::size_t> BrEvolution::lookAgain(std::vector<Individual>& pool) const {
+  std::vector<std::size_t> promising;
+  if (!evaluator_->looksTwice()) return promising;
+  const Neighbourhood neighbourhood(archive_, pool, static_cast<std::size_t>(options_.neighbours));
+  std::vector<Genome> genomes;
+  std::vector<Outcome> first;
+  for (std::size_t i = 0; i < pool.size(); ++i) {
+    if (pool[i].looked_twice || !isPromising(pool[i], neighbourhood)) continue;
+    promising.push_back(i);
+    genomes.push_back(pool[i].genome);
+    first.push_back(pool[i].outcome);
+  }
+  if (promising.empty()) return promising;
+  const std::vector<Outcome> outcomes = evaluator_->lookAgain(genomes, first);
+  requireOneEach(outcomes, genomes);
+  for (std::size_t k = 0; k < promising.size(); ++k) {
+    pool[promising[k]].outcome = checked(outcomes[k]);
+    pool[promising[k]].looked_twice = true;
+  }
+  return promising;
+}
+
+bool BrEvolution::isPromising(const Individual& individual,
+                              const Neighbourhood& neighbourhood) const {
+  if (!individual.outcome.walked()) return false;
+  std::vector<Individual> images = twins(individual);
+  images.push_back(individual);
+  return std::any_of(images.begin(), images.end(), [&](const Individual& image) {
+    if (archive_.contains(image.genome)) return false;
+    if (neighbourhood.objectives(image)[0] > novelty_threshold_m_) return true;
+    const Pose2& end = image.outcome.end_pose;
+    const auto nearest = archive_.nearest(end.x_m, end.y_m, 1);
+    return !nearest.empty() && image.outcome.orientation_error_rad <
+                                   archive_.entries()[nearest[0].slot].orientation_error_rad;
+  });
+}
+
+std::vector<Individual> BrEvolution::twins(const Individual& individual) const {
+  std::vector<Individual> twins;
+  for (const Symmetry& symmetry : symmetries_) {
+    Individual twin = individual;
+    twin.id = individual.id + 1 + static_cast<std::int64_t>(twins.size());
+    twin.genotype = twin.genome = symmetry.image(individual.genome);
+    twin.outcome = symmetry.image(individual.outcome);
+    twins.push_back(std::move(twin));
+  }
+  return twins;
+}
+
+void BrEvolution::countFailures(const std::vector<Individual>& pool,
+                                const std::vector<bool>& is_news) {
+  for (std::size_t i = 0; i < pool.size(); ++i) {
+    if (!is_news[i]) continue;
+    const Verdict verdict = pool[i].outcome.verdict;
     if (verdict == Verdict::kFell) ++counters_.fell;
     if (verdict == Verdict::kSelfCollided) ++counters_.self_collided;
     if (verdict == Verdict::kDiverged) ++counters_.diverged;
   }
 }
 
-std::vector<Objectives> BrEvolution::offerToArchive(std::vector<Individual>& pool) {
+std::vector<Objectives> BrEvolution::offerToArchive(std::vector<Individual>& pool,
+                                                    const std::vector<bool>& is_news) {
   Neighbourhood neighbourhood(archive_, pool, static_cast<std::size_t>(options_.neighbours));
   std::vector<Objectives> objectives;
   objectives.reserve(pool.size());
-  for (Individual& individual : pool) {
+  for (std::size_t i = 0; i < pool.size(); ++i) {
+    Individual& individual = pool[i];
     objectives.push_back(neighbourhood.objectives(individual));
-    if (!individual.outcome.walked()) continue;
-    const OfferResult result =
-        archive_.offer(entryOf(individual), objectives.back()[0], options_.novelty_threshold_m);
-    if (result.status == AddStatus::kRejected) continue;
-    neighbourhood.moveToArchive(individual);
-    if (result.status == AddStatus::kAdded) {
-      ++counters_.added;
-      continue;
+    if (!individual.outcome.walked() || !individual.looked_twice) continue;
+    const std::vector<Individual> images =
+        is_news[i] ? twins(individual) : std::vector<Individual>();
+    const OfferResult result = offer(individual, objectives.back()[0]);
+    if (result.status != AddStatus::kRejected) neighbourhood.moveToArchive(individual);
+    if (result.status == AddStatus::kSwapped && options_.swap == "exchange") {
+      individual = individualOf(*result.displaced);
+      neighbourhood.moveToPool(individual);
+      objectives.back() = neighbourhood.objectives(individual);
     }
-    ++counters_.swapped;
-    if (options_.swap == "copy") continue;
-    individual = individualOf(*result.displaced);
-    neighbourhood.moveToPool(individual);
-    objectives.back() = neighbourhood.objectives(individual);
+    for (const Individual& twin : images) {
+      const OfferResult twin_result = offer(twin, neighbourhood.objectives(twin)[0]);
+      if (twin_result.status != AddStatus::kRejected) neighbourhood.moveToArchive(twin);
+    }
   }
   return objectives;
+}
+
+OfferResult BrEvolution::offer(const Individual& individual, double novelty_m) {
+  const OfferResult result = archive_.offer(entryOf(individual), novelty_m, novelty_threshold_m_);
+  if (result.status == AddStatus::kAdded) ++counters_.added;
+  if (result.status == AddStatus::kSwapped) ++counters_.swapped;
+  return result;
+}
+
+void BrEvolution::refineNovelty(std::int64_t added, std::size_t candidates) {
+  const double enough = kEnoughAdded * static_cast<double>(candidates);
+  const double least_m = options_.novelty_threshold_min_m;
+  if (novelty_threshold_m_ <= least_m || static_cast<double>(added) >= enough) return;
+  novelty_threshold_m_ =
+      std::max(least_m, novelty_threshold_m_ * (1.0 - options_.novelty_refinement));
 }
 
 std::vector<Individual> BrEvolution::selected(const std::vector<Individual>& pool,

@@ -8,6 +8,8 @@
 #include "evolution/evaluator.h"
 #include "evolution/evolution_options.h"
 #include "evolution/individual.h"
+#include "evolution/neighbourhood.h"
+#include "gait/symmetry.h"
 #include "repertoire/archive.h"
 
 namespace hexapod {
@@ -35,18 +37,31 @@ namespace hexapod {
 /// - Genotypic diversity decides where crowding does in NSGA-II: in the truncation of the last
 ///   front and in the binary tournament.
 ///
+/// Beyond the paper, each an option that is off by default:
+/// - offer_twins: after a candidate its mirror images are offered to the archive. They count
+/// neither
+///   as evaluations nor as individuals of the population; an entry that leaves for one is dropped.
+///   A twin's entry has an id of its own and the evaluation number of its candidate.
+/// - archive_parents: some parents are drawn from the archive, uniformly.
+/// - novelty_refinement: the novelty threshold goes down when the archive has filled.
+/// And with an evaluator that looks twice, only individuals whose outcome is final are offered to
+/// the archive. At the start of each generation it looks again at those that the archive of that
+/// moment would take, by their first outcome, themselves or a twin of theirs; who turns out to fall
+/// is then counted among the fallen.
+///
 /// Same options, evaluator and generator, same archive. Not thread-safe.
 class BrEvolution {
  public:
   /// A new run. Throws std::invalid_argument naming an option that is out of range, or gene_count
   /// 0. The evaluator must outlive the evolution.
+  /// `symmetries` of the robot give twins.
   BrEvolution(const EvolutionOptions& options, std::size_t gene_count, Evaluator& evaluator,
-              const Random& random);
+              const Random& random, std::vector<Symmetry> symmetries = {});
 
   /// Goes on from state() of another evolution with the same options and evaluator.
   /// Throws std::invalid_argument as above, or when the state does not fit.
   BrEvolution(const EvolutionOptions& options, std::size_t gene_count, Evaluator& evaluator,
-              const EvolutionState& state);
+              const EvolutionState& state, std::vector<Symmetry> symmetries = {});
 
   /// One generation: evaluates as many candidates as the population has, or `most_candidates` (>=
   /// 1) if that is fewer, so that a budget of evaluations can be met exactly. The first generation
@@ -57,6 +72,8 @@ class BrEvolution {
   const Archive& archive() const { return archive_; }
   const std::vector<Individual>& population() const { return population_; }
   const EvolutionCounters& counters() const { return counters_; }
+  /// rho, as refined so far [m].
+  double noveltyThreshold() const { return novelty_threshold_m_; }
   EvolutionState state() const;
 
  private:
@@ -64,16 +81,25 @@ class BrEvolution {
   Genome mutated(const Genome& parent, Random& random) const;
   std::vector<Individual> nextCandidates(std::size_t count, Random& random) const;
   void evaluate(std::vector<Individual>& candidates) const;
-  void count(const std::vector<Individual>& candidates);
-  std::vector<Objectives> offerToArchive(std::vector<Individual>& pool);
+  std::vector<const Entry*> archiveParents() const;
+  std::vector<std::size_t> lookAgain(std::vector<Individual>& pool) const;
+  bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
+  std::vector<Individual> twins(const Individual& individual) const;
+  void countFailures(const std::vector<Individual>& pool, const std::vector<bool>& is_news);
+  std::vector<Objectives> offerToArchive(std::vector<Individual>& pool,
+                                         const std::vector<bool>& is_news);
+  OfferResult offer(const Individual& individual, double novelty_m);
+  void refineNovelty(std::int64_t added, std::size_t candidates);
   std::vector<Individual> selected(const std::vector<Individual>& pool,
                                    const std::vector<Objectives>& objectives) const;
 
   EvolutionOptions options_;
+  std::vector<Symmetry> symmetries_;  // none unless twins are offered
   std::size_t gene_count_;
   Evaluator* evaluator_;
   Random random_;
   std::int64_t next_id_ = 1;
+  double novelty_threshold_m_;
   EvolutionCounters counters_;
   std::vector<Individual> population_;
   Archive archive_;

@@ -40,6 +40,18 @@ std::vector<Option> declareOptions(EvolutionOptions& options) {
              "An entry that is swapped out takes the better individual's place in the population "
              "(exchange), or is dropped while the individual stays there too (copy).",
              {"exchange", "copy"}),
+      option("offer_twins", options.offer_twins,
+             "Offer the mirror images of every candidate to the archive: a symmetric robot walks "
+             "them as well, without any simulation."),
+      option("archive_parents", options.archive_parents, "",
+             "Share of the parents that are drawn from the archive instead of the population.", 0.0,
+             1.0),
+      option("novelty_refinement", options.novelty_refinement, "",
+             "Part of the novelty threshold that is taken off after every generation that added "
+             "fewer entries than 2 % of its candidates; 0: the threshold stays.",
+             0.0, 0.5),
+      option("novelty_threshold_min_m", options.novelty_threshold_min_m, "m",
+             "Refinement takes the novelty threshold no further down than this.", 0.0, 10.0),
   };
 }
 

@@ -8,7 +8,8 @@
 
 namespace hexapod {
 
-/// Parameters of BR-Evolution; the defaults are the paper's (Cully & Mouret 2013, appendix A).
+/// Parameters of BR-Evolution; the defaults are the paper's (Cully & Mouret 2013, appendix A), the
+/// options it does not know are off.
 struct EvolutionOptions {
   std::int64_t population_size = 100;   ///< parents, and children of one generation, >= 1
   std::int64_t neighbours = 15;         ///< |neigh(i)| of eq. 1, >= 1
@@ -16,6 +17,12 @@ struct EvolutionOptions {
   double mutation_rate = 0.10;          ///< probability that a gene is drawn anew, 0 .. 1
   std::string diversity = "genotypic";  ///< inside a front: genotypic (the paper) | crowding
   std::string swap = "exchange";        ///< what leaves the archive: exchange (the paper) | copy
+  bool offer_twins = false;      ///< offer the mirror images of every candidate to the archive, too
+  double archive_parents = 0.0;  ///< share of parents drawn from the archive, 0 .. 1
+  /// Part of the novelty threshold that is taken off after a generation in which few were added,
+  /// 0 .. 0.5; 0: it stays.
+  double novelty_refinement = 0.0;
+  double novelty_threshold_min_m = 0.05;  ///< refinement ends here [m]
 };
 
 /// The options with name, unit, range and meaning, bound to `options`.

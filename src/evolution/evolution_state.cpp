@@ -14,7 +14,7 @@ constexpr std::array<Verdict, 4> kVerdicts = {Verdict::kWalked, Verdict::kFell,
                                               Verdict::kSelfCollided, Verdict::kDiverged};
 
 using Counter = std::pair<const char*, std::int64_t EvolutionCounters::*>;
-constexpr std::array<Counter, 7> kCounters = {{
+constexpr std::array<Counter, 8> kCounters = {{
     {"generations", &EvolutionCounters::generations},
     {"evaluations", &EvolutionCounters::evaluations},
     {"fell", &EvolutionCounters::fell},
@@ -22,6 +22,7 @@ constexpr std::array<Counter, 7> kCounters = {{
     {"diverged", &EvolutionCounters::diverged},
     {"added", &EvolutionCounters::added},
     {"swapped", &EvolutionCounters::swapped},
+    {"looked_twice", &EvolutionCounters::looked_twice},
 }};
 
 [[noreturn]] void fail(const std::string& name, const std::string& expected,
@@ -38,7 +39,8 @@ std::string lineOf(const Individual& individual) {
                               outcome.orientation_error_rad, individual.standing.diversity}) {
     line += " " + toText(number);
   }
-  return line + " " + std::to_string(individual.standing.rank) + "\n";
+  return line + " " + std::to_string(individual.standing.rank) +
+         (individual.looked_twice ? " 1\n" : " 0\n");
 }
 
 /// The words of one individual's line, converted one after another.
@@ -48,7 +50,7 @@ class Words {
 
   std::string text() {
     std::string word;
-    if (!(words_ >> word)) fail("population", "ten words a line", line_);
+    if (!(words_ >> word)) fail("population", "eleven words a line", line_);
     return word;
   }
   std::int64_t integer() {
@@ -89,6 +91,7 @@ Individual individualFrom(const std::string& line) {
   individual.outcome.orientation_error_rad = words.real();
   individual.standing.diversity = words.real();
   individual.standing.rank = static_cast<std::size_t>(words.integer());
+  individual.looked_twice = words.integer() != 0;
   return individual;
 }
 
@@ -106,11 +109,20 @@ std::int64_t countOf(const std::map<std::string, std::string>& texts, const std:
   return *number;
 }
 
+double lengthOf(const std::map<std::string, std::string>& texts, const std::string& name) {
+  const std::string& text = textOf(texts, name);
+  const auto number = doubleFromText(text);
+  if (!number || !(*number >= 0.0)) fail(name, "a length", text);
+  return *number;
+}
+
 }  // namespace
 
 std::map<std::string, std::string> toTexts(const EvolutionState& state) {
-  std::map<std::string, std::string> texts{{"random", state.random.state()},
-                                           {"next_id", std::to_string(state.next_id)}};
+  std::map<std::string, std::string> texts{
+      {"random", state.random.state()},
+      {"next_id", std::to_string(state.next_id)},
+      {"novelty_threshold_m", toText(state.novelty_threshold_m)}};
   for (const auto& [name, member] : kCounters) texts[name] = std::to_string(state.counters.*member);
   std::string& population = texts["population"];
   for (const Individual& individual : state.population) population += lineOf(individual);
@@ -122,6 +134,7 @@ EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
   EvolutionState state;
   state.random = Random::fromState(textOf(texts, "random"));
   state.next_id = countOf(texts, "next_id");
+  state.novelty_threshold_m = lengthOf(texts, "novelty_threshold_m");
   for (const auto& [name, member] : kCounters) state.counters.*member = countOf(texts, name);
   std::istringstream lines(textOf(texts, "population"));
   for (std::string line; std::getline(lines, line);) {

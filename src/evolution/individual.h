@@ -18,7 +18,8 @@ struct Individual {
   Genome genotype;              ///< the genes as they are inherited and mutated
   Genome genome;                ///< canonical(genotype): what is simulated, compared and archived
   Outcome outcome;
-  Standing standing;  ///< among the parents and children it was last selected from
+  Standing standing;          ///< among the parents and children it was last selected from
+  bool looked_twice = false;  ///< the outcome is final (see Evaluator)
 };
 
 /// What has happened in a run so far.
@@ -30,6 +31,7 @@ struct EvolutionCounters {
   std::int64_t diverged = 0;
   std::int64_t added = 0;
   std::int64_t swapped = 0;
+  std::int64_t looked_twice = 0;  ///< candidates the evaluator had to look at again
 };
 
 /// Everything a run needs to go on exactly as if it had never stopped.
@@ -37,6 +39,7 @@ struct EvolutionState {
   Random random{0};
   std::int64_t next_id = 1;
   EvolutionCounters counters;
+  double novelty_threshold_m = 0.0;    ///< as refined so far
   std::vector<Individual> population;  ///< empty before the first generation
   std::vector<Entry> archive;
 };

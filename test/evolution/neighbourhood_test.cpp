@@ -60,7 +60,7 @@ class NeighbourhoodOf : public ::testing::Test {
  protected:
   Individual born(const Genome& genome) {
     const std::int64_t id = next_id_++;
-    return {id, id, genome, genome, evaluator_.outcomeOf(genome), {}};
+    return {id, id, genome, genome, evaluator_.outcomeOf(genome), {}, true};
   }
   std::vector<Individual> randomPool(std::size_t count) {
     std::vector<Individual> pool;
@@ -71,7 +71,7 @@ class NeighbourhoodOf : public ::testing::Test {
   Individual at(double x_m, double error_rad) {
     const std::int64_t id = next_id_++;
     const Genome genome = randomGenome(random_);
-    return {id, id, genome, genome, {Verdict::kWalked, {x_m, 0.0, 0.0}, error_rad}, {}};
+    return {id, id, genome, genome, {Verdict::kWalked, {x_m, 0.0, 0.0}, error_rad}, {}, true};
   }
 
   AnalyticEvaluator evaluator_;
@@ -119,7 +119,8 @@ TEST_F(NeighbourhoodOf, AGenerationFollowsWhatMovesBetweenPoolAndArchive) {
                     left.genome,
                     left.genome,
                     {Verdict::kWalked, left.end_pose, left.orientation_error_rad},
-                    {}};
+                    {},
+                    true};
       neighbourhood.moveToPool(individual);
     }
     const auto expected = byDefinition(individual, archive.entries(), pool, 15);
