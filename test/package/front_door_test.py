@@ -11,7 +11,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 NOTHING_INSTALLED = "dpkg-query() { return 1; }; "
 EVERYTHING_INSTALLED = "dpkg-query() { printf '%s installed\\n' \"${@:4}\"; }; "
 NO_ROOT = "id() { echo 1000; }; sudo() { return 1; }; "
-AS_ROOT = 'id() { echo 0; }; env() { echo "env $*"; }; '
+AS_ROOT = 'id() { echo 0; }; env() { echo "env $*"; }; tee() { echo "tee $* <<< $(cat)" >&2; }; '
+NO_LOCALHOST = "getent() { return 2; }; "
 NO_BUILD = "cmake() { :; }; "
 
 
@@ -98,6 +99,16 @@ def test_with_nothing_missing_it_neither_asks_nor_installs(checkout):
     functions = EVERYTHING_INSTALLED + AS_ROOT
     result = run(checkout, "setup", functions=functions)
     assert (result.returncode, result.stdout, result.stderr) == (0, "", "")
+
+
+def test_without_the_name_localhost_root_gets_it_and_others_ask_for_it(checkout):
+    functions = EVERYTHING_INSTALLED + NO_LOCALHOST
+    result = run(checkout, "setup", functions=functions + AS_ROOT)
+    assert result.returncode == 0
+    assert result.stderr.splitlines()[-1] == "tee -a /etc/hosts <<< 127.0.0.1 localhost"
+    result = run(checkout, "setup", functions=functions + NO_ROOT)
+    assert result.returncode == 1
+    assert result.stderr.splitlines()[-1] == "echo '127.0.0.1 localhost' | sudo tee -a /etc/hosts"
 
 
 @pytest.mark.parametrize("arguments, display, wanted", [
