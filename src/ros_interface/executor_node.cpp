@@ -59,7 +59,7 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
       services_(node, private_node, executor_, robot_.jointNames()),
       feedback_(node, executor_, map_),
       master_(topicsOf(*sender_)),
-      reports_(private_node, {*sender_, feedback_, master_, loop_}, robot_.jointNames()) {
+      reports_(private_node, {*sender_, feedback_, services_, master_, loop_}, robot_.jointNames()) {
   reset_subscriber_ = node.subscribe(kResetTopic, 1, &ExecutorNode::onReset, this,
                                      ros::TransportHints().tcpNoDelay());
 }

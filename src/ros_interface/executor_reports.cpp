@@ -38,6 +38,7 @@ ExecutorReports::ExecutorReports(const ros::NodeHandle& private_node, const Sour
   updater_.add("state", this, &ExecutorReports::reportState);
   updater_.add("commands", this, &ExecutorReports::reportCommands);
   updater_.add("feedback", this, &ExecutorReports::reportFeedback);
+  updater_.add("e_stop", this, &ExecutorReports::reportEStop);
 }
 
 void ExecutorReports::poll(const ExecutorStatus& status) {
@@ -144,6 +145,16 @@ void ExecutorReports::reportFeedback(Diagnostics& diagnostics) {
   diagnostics.add("Messages used", sources_.feedback.received());
   diagnostics.add("Messages refused", sources_.feedback.refused());
   diagnostics.add("Last refused because", sources_.feedback.problem());
+}
+
+void ExecutorReports::reportEStop(Diagnostics& diagnostics) {
+  const std::uint32_t publishers = sources_.services.eStopPublishers();
+  const bool gone = had_e_stop_ && publishers == 0;
+  had_e_stop_ = had_e_stop_ || publishers > 0;
+  diagnostics.summary(
+      gone ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+      gone ? "The publisher of e_stop is gone; only ~stop stops the robot now."
+           : (publishers > 0 ? "Somebody publishes e_stop." : "Nobody publishes e_stop."));
 }
 
 }  // namespace hexapod

@@ -12,6 +12,7 @@
 #include "ros_interface/executor_command_sender.h"
 #include "ros_interface/executor_feedback.h"
 #include "ros_interface/executor_master_watch.h"
+#include "ros_interface/executor_services.h"
 #include "ros_interface/realtime_loop.h"
 
 namespace hexapod {
@@ -24,6 +25,7 @@ class ExecutorReports {
   struct Sources {
     const CommandSender& sender;
     const ExecutorFeedback& feedback;
+    const ExecutorServices& services;
     const ExecutorMasterWatch& master;
     const RealtimeLoop& loop;
   };
@@ -44,6 +46,7 @@ class ExecutorReports {
   void reportState(Diagnostics& diagnostics);
   void reportCommands(Diagnostics& diagnostics);
   void reportFeedback(Diagnostics& diagnostics);
+  void reportEStop(Diagnostics& diagnostics);
 
   Sources sources_;
   std::vector<std::string> joint_names_;
@@ -55,6 +58,7 @@ class ExecutorReports {
   double next_listener_warning_s_;
   double next_clock_warning_s_;
   std::string foreign_;
+  bool had_e_stop_ = false;
 };
 
 }  // namespace hexapod

@@ -22,7 +22,7 @@ constexpr std::int64_t kStall_ns = 30 * kMs;
 constexpr std::int64_t kReadAfterStall_ns = 5 * kMs;
 // Stopped for longer than this, the world has stood still instead.
 constexpr std::int64_t kLongestCatchUp_ns = 10'000 * kMs;
-constexpr std::int64_t kCommandPatience_ns = 100 * kMs;
+constexpr std::int64_t kCommandPatience_ns = 500 * kMs;
 
 Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& robot) {
   const EngineChoice choice = chooseEngine(options.engine, robot);
