@@ -11,29 +11,32 @@ namespace hexapod {
 std::vector<Option> declareOptions(LearnOptions& options) {
   constexpr std::int64_t kMany = 1000000000;
   std::vector<Option> all = {
-      option("repertoire_file", options.repertoire_file, "SQLite file the repertoire is written to."),
-      option("overwrite", options.overwrite, "Replace a repertoire that repertoire_file already holds."),
+      option("repertoire_file", options.repertoire_file,
+             "SQLite file the repertoire is written to."),
+      option("overwrite", options.overwrite,
+             "Replace a repertoire that repertoire_file already holds."),
       option("resume", options.resume,
              "Go on with the run in repertoire_file, or begin it when there is none."),
       option("evaluations", options.evaluations,
              "Candidates to evaluate; a run that is resumed may be given more.", 1, kMany),
-      option("time_budget_s", options.time_budget_s, "s",
-             "Evolution ends after this time even if evaluations are left, and what is learned then "
-             "depends on the speed of the machine; 0: no limit.",
-             0.0, 1e9),
+      option(
+          "time_budget_s", options.time_budget_s, "s",
+          "Evolution ends after this time even if evaluations are left, and what is learned then "
+          "depends on the speed of the machine; 0: no limit.",
+          0.0, 1e9),
       option("seed", options.seed, "Seed of everything random; same seed, same repertoire.", 0,
              std::numeric_limits<std::int32_t>::max()),
       option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
-      option("engine", options.engine, "Simulation engine: ODE, or its equations in reduced coordinates.",
-             engineNames()),
+      option("engine", options.engine,
+             "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05),
       option("validation_trials", options.validation_trials,
              "Executions of each entry after random predecessors when learning is done; 0: none.",
              0, 1000),
       option("checkpoint_period_s", options.checkpoint_period_s, "s",
-             "The file is written about this often while learning, but not so often that it takes more "
-             "than 1 % of the time; 0: after every generation.",
+             "The file is written about this often while learning, but not so often that it takes "
+             "more than 1 % of the time; 0: after every generation.",
              0.0, 86400.0)};
   for (auto& more : {declareOptions(options.evolution), declareOptions(options.behavior)}) {
     all.insert(all.end(), more.begin(), more.end());

@@ -32,8 +32,8 @@ struct LearnOptions {
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(LearnOptions& options);
 
-/// The options that say what is learned, as texts by name, as the repertoire keeps them. Where it is
-/// kept, how often it is saved and how many threads work makes no difference to it.
+/// The options that say what is learned, as texts by name, as the repertoire keeps them. Where it
+/// is kept, how often it is saved and how many threads work makes no difference to it.
 std::map<std::string, std::string> resultOptions(const LearnOptions& options);
 
 /// True for those of resultOptions() that only say when learning ends.

@@ -9,6 +9,9 @@
 namespace hexapod {
 namespace {
 
+// Of the time, at most this part goes into writing checkpoints.
+constexpr double kCheckpointShare = 0.01;
+
 // A row of history costs a few milliseconds; a thousand candidates cost seconds.
 constexpr std::int64_t kEvaluationsPerHistoryRow = 1000;
 
@@ -27,19 +30,33 @@ Physics nominalPhysics(const LearnOptions& options) {
   return physics;
 }
 
-}  // namespace
-
-std::string toString(LearningPhase phase) {
-  switch (phase) {
-    case LearningPhase::kEvolving:
-      return "evolving";
-    case LearningPhase::kValidating:
-      return "validating";
-    case LearningPhase::kDone:
-      return "done";
+std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOptions& options,
+                                  const RepertoireWriter& writer) {
+  if (options.resume && options.overwrite) {
+    throw std::invalid_argument(
+        "'resume' and 'overwrite' are both true; set one of them to false: a run is either gone on "
+        "with or replaced.");
   }
-  return "unknown";
+  if (!writer.holdsRepertoire() || options.overwrite) return std::nullopt;
+  if (options.resume) return resume(robot, options);
+  throw std::runtime_error(
+      options.repertoire_file +
+      " holds a repertoire already. Nothing was changed: choose another "
+      "repertoire_file, set resume to true to go on with that run, or overwrite "
+      "to true to replace it.");
 }
+
+BrEvolution makeEvolution(const RobotDescription& robot, const LearnOptions& options,
+                          Evaluator& evaluator, const std::optional<Resumed>& resumed) {
+  if (resumed) {
+    return BrEvolution(options.evolution, robot.geneCount(), evaluator,
+                       resumed->checkpoint.evolution);
+  }
+  return BrEvolution(options.evolution, robot.geneCount(), evaluator,
+                     Random(static_cast<std::uint64_t>(options.seed)));
+}
+
+}  // namespace
 
 LearningSession::LearningSession(const RobotDescription& robot, const LearnOptions& options,
                                  Clock clock)
@@ -47,46 +64,79 @@ LearningSession::LearningSession(const RobotDescription& robot, const LearnOptio
       options_(options),
       clock_(std::move(clock)),
       writer_(claimed(options)),
+      resumed_(earlierRun(robot, options, writer_)),
       engine_(chooseEngine(options.engine, robot)),
       worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
                                           static_cast<int>(options.threads))),
       evaluator_(worlds_, options.behavior, &stop_),
-      evolution_(options.evolution, robot.geneCount(), evaluator_,
-                 Random(static_cast<std::uint64_t>(options.seed))) {
-  if (writer_.holdsRepertoire() && !options.overwrite) {
-    throw std::runtime_error(options.repertoire_file +
-                             " holds a repertoire already. Nothing was changed: choose another "
-                             "repertoire_file, or set overwrite to true to replace it.");
+      evolution_(makeEvolution(robot, options, evaluator_, resumed_)) {
+  if (resumed_) goOn();
+}
+
+void LearningSession::goOn() {
+  phase_ = resumed_->checkpoint.phase;
+  evolved_s_ = resumed_->checkpoint.elapsed_s;
+  history_ = resumed_->history;
+  executions_ = resumed_->executions;
+  entries_validated_ = static_cast<std::int64_t>(executions_.size());
+  if (budgetIsLeft()) {
+    phase_ = LearningPhase::kEvolving;
+    executions_.clear();
+    entries_validated_ = 0;
   }
 }
 
+std::string LearningSession::resumeRemark() const {
+  const std::string& file = options_.repertoire_file;
+  if (!options_.resume) return "";
+  if (!resumed_) return "There is no run in " + file + " to go on with: it is begun.";
+  const std::string size =
+      std::to_string(resumed_->checkpoint.evolution.archive.size()) + " entries after " +
+      std::to_string(resumed_->checkpoint.evolution.counters.evaluations) + " evaluations";
+  if (phase_ == LearningPhase::kDone) return "The run in " + file + " is finished: " + size + ".";
+  return "Going on with the run in " + file + ": " + size + ".";
+}
+
 bool LearningSession::run(const Hooks& hooks) {
-  started_s_ = clock_();
-  saved_s_ = started_s_;
-  const bool finished = evolve(hooks) && validateEntries(hooks);
+  lap_s_ = saved_s_ = clock_();
+  const bool was_done = phase_ == LearningPhase::kDone;
+  const bool finished = was_done || (evolve(hooks) && validateEntries(hooks));
   if (finished) phase_ = LearningPhase::kDone;
-  save(hooks);
+  if (!was_done && evolution_.counters().generations > 0) save(hooks);
   if (hooks.progress) hooks.progress(*this);
   return finished;
 }
 
+bool LearningSession::budgetIsLeft() const {
+  const bool time_is_left = options_.time_budget_s <= 0.0 || evolved_s_ < options_.time_budget_s;
+  return time_is_left && evolution_.counters().evaluations < options_.evaluations;
+}
+
+void LearningSession::lap() {
+  const double now_s = clock_();
+  evolved_s_ += now_s - lap_s_;
+  lap_s_ = now_s;
+}
+
 bool LearningSession::evolve(const Hooks& hooks) {
-  while (evolution_.counters().evaluations < options_.evaluations) {
+  while (budgetIsLeft()) {
     const std::int64_t before = evolution_.counters().evaluations;
     try {
       evolution_.step(options_.evaluations - before);
     } catch (const EvaluationCancelled&) {
       return false;  // the generation under way is given up, nothing of it has been kept
     }
-    evolved_s_ = clock_() - started_s_;
+    lap();
     const std::int64_t now = evolution_.counters().evaluations;
-    if (now / kEvaluationsPerHistoryRow > before / kEvaluationsPerHistoryRow ||
-        now >= options_.evaluations) {
-      recordHistory();
-    }
-    if (save_.exchange(false) || clock_() - saved_s_ >= options_.checkpoint_period_s) save(hooks);
+    if (now / kEvaluationsPerHistoryRow > before / kEvaluationsPerHistoryRow) recordHistory();
+    if (save_.exchange(false) || checkpointIsDue()) save(hooks);
+    lap();
     if (hooks.progress) hooks.progress(*this);
+    lap_s_ = clock_();  // whatever the hook waited for was not spent evolving
     if (stop_) return false;
+  }
+  if (history_.empty() || history_.back().evaluations != evolution_.counters().evaluations) {
+    recordHistory();
   }
   return true;
 }
@@ -94,6 +144,7 @@ bool LearningSession::evolve(const Hooks& hooks) {
 bool LearningSession::validateEntries(const Hooks& hooks) {
   if (options_.validation_trials == 0) return true;
   phase_ = LearningPhase::kValidating;
+  save(hooks);
   ValidationOptions validation;
   validation.trials = options_.validation_trials;
   validation.start_states = std::max(validation.start_states, validation.trials);
@@ -125,13 +176,21 @@ void LearningSession::recordHistory() {
   history_.push_back(row);
 }
 
+bool LearningSession::checkpointIsDue() const {
+  const double period_s = options_.checkpoint_period_s;
+  if (period_s <= 0.0) return true;
+  return clock_() - saved_s_ >= std::max(period_s, save_cost_s_ / kCheckpointShare);
+}
+
 void LearningSession::save(const Hooks& hooks) {
-  saved_s_ = clock_();
+  const double begin_s = clock_();
   try {
-    writer_.save(repertoire());
+    writer_.save(repertoire(), toLearnerState({evolution_.state(), phase_, evolved_s_}));
   } catch (const std::runtime_error& error) {
     if (hooks.save_failed) hooks.save_failed(error.what());
   }
+  saved_s_ = clock_();
+  save_cost_s_ = saved_s_ - begin_s;
 }
 
 LearningStatus LearningSession::status() const {
@@ -147,30 +206,28 @@ LearningStatus LearningSession::status() const {
   }
   const auto left = static_cast<double>(options_.evaluations - status.counters.evaluations);
   if (left > 0.0 && status.evaluations_per_s > 0.0) status.eta_s = left / status.evaluations_per_s;
+  if (options_.time_budget_s > 0.0) {
+    const double time_left_s = std::max(0.0, options_.time_budget_s - evolved_s_);
+    status.eta_s = evolved_s_ > 0.0 ? std::min(status.eta_s, time_left_s) : time_left_s;
+  }
   if (!history_.empty()) status.last = history_.back();
   return status;
 }
 
 Repertoire LearningSession::repertoire() const {
   Repertoire repertoire;
-  LearnOptions options = options_;
-  for (const Option& option : declareOptions(options)) {
-    // Where and with how many threads it was learned makes no difference to what was learned.
-    if (option.name != "repertoire_file" && option.name != "overwrite" && option.name != "threads") {
-      repertoire.options[option.name] = option.text();
-    }
-  }
+  repertoire.options = resultOptions(options_);
   repertoire.run_id = runId(robot_, repertoire.options);
   repertoire.robot_id = robot_.digest;
   repertoire.seed = static_cast<std::uint64_t>(options_.seed);
   repertoire.generation = evolution_.counters().generations;
   repertoire.evaluations = evolution_.counters().evaluations;
-  repertoire.behavior_duration_s =
-      static_cast<double>(behaviorParts(options_.behavior).total()) *
-      options_.behavior.command_period_s;
+  repertoire.behavior_duration_s = static_cast<double>(behaviorParts(options_.behavior).total()) *
+                                   options_.behavior.command_period_s;
   repertoire.joint_names = robot_.jointNames();
   repertoire.entries = evolution_.archive().entries();
-  for (std::size_t i = 0; i < executions_.size(); ++i) repertoire.entries[i].execution = executions_[i];
+  for (std::size_t i = 0; i < executions_.size(); ++i)
+    repertoire.entries[i].execution = executions_[i];
   repertoire.history = history_;
   return repertoire;
 }

@@ -35,11 +35,11 @@ struct LearningStatus {
 /// A learning run from the first random genome to the validated repertoire in its file: evolution,
 /// simulation on all cores, history, checkpoints, validation.
 ///
-/// With the option `resume` it goes on from the last checkpoint of a run that was stopped or killed,
-/// and ends with the same entries as if nothing had happened. A run that had been finished stays as
-/// it is, unless it is given a larger budget: then it evolves further and validates all anew. (More
-/// evaluations later give the same as more at once if the former number was a multiple of
-/// population_size, so that no generation was cut short.)
+/// With the option `resume` it goes on from the last checkpoint of a run that was stopped or
+/// killed, and ends with the same entries as if nothing had happened. A run that had been finished
+/// stays as it is, unless it is given a larger budget: then it evolves further and validates all
+/// anew. (More evaluations later give the same as more at once if the former number was a multiple
+/// of population_size, so that no generation was cut short.)
 ///
 /// run() does the work in the thread that calls it. requestStop() and requestSave() may be called
 /// from any thread; everything else belongs to the thread of run(), that is, to its hooks.
@@ -71,7 +71,7 @@ class LearningSession {
   /// Asks for a checkpoint at the end of the generation under way.
   void requestSave() { save_ = true; }
 
-  /// A sentence for the user about what `resume` found, or empty without it.
+  /// Before run(): a sentence for the user about what `resume` found, or empty without it.
   std::string resumeRemark() const;
 
   /// A sentence for the user about the engine (EngineChoice::remark), or empty.
@@ -83,12 +83,13 @@ class LearningSession {
   Repertoire repertoire() const;
 
  private:
+  void goOn();
   bool budgetIsLeft() const;
   void lap();
   bool evolve(const Hooks& hooks);
   bool validateEntries(const Hooks& hooks);
   void recordHistory();
-  bool checkpointIsDue();
+  bool checkpointIsDue() const;
   void save(const Hooks& hooks);
 
   RobotDescription robot_;
@@ -97,7 +98,7 @@ class LearningSession {
   std::atomic<bool> stop_{false};
   std::atomic<bool> save_{false};
   RepertoireWriter writer_;
-  std::optional<Resumed> resumed_;
+  std::optional<Resumed> resumed_;  // the run as it was found
   EngineChoice engine_;
   std::shared_ptr<WorldPool> worlds_;
   BehaviorEvaluator evaluator_;

@@ -9,7 +9,7 @@
 #include <ros/ros.h>
 
 #include "hexapod_repertoire/LearningProgress.h"
-#include "ros_interface/params.h"
+#include "ros_interface/node_process.h"
 #include "ros_interface/robot_param.h"
 
 namespace hexapod {
@@ -74,6 +74,7 @@ Learner::Learner(ros::NodeHandle& node, ros::NodeHandle& private_node,
 bool Learner::run() {
   ROS_INFO_STREAM("Learning run " << run_id_ << ": " << options_.learn.evaluations
                                   << " evaluations into " << options_.learn.repertoire_file << ".");
+  if (!session_.resumeRemark().empty()) ROS_INFO_STREAM(session_.resumeRemark());
   if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { progress(); };
@@ -85,7 +86,7 @@ bool Learner::run() {
   // ROS's shutdown must reach into a generation under way.
   std::atomic<bool> ended{false};
   std::thread watch([this, &ended] {
-    while (ros::ok() && !ended) std::this_thread::sleep_for(kPausePoll);
+    while (!askedToLeave() && !ended) std::this_thread::sleep_for(kPausePoll);
     session_.requestStop();
   });
   const auto join = [&] {
@@ -113,7 +114,7 @@ void Learner::progress() {
   if (done || (evolving && due(published_, options_.publish_period_s))) {
     repertoire_publisher_.publish(session_.repertoire());
   }
-  while (paused_ && evolving && ros::ok()) std::this_thread::sleep_for(kPausePoll);
+  while (paused_ && evolving && !askedToLeave()) std::this_thread::sleep_for(kPausePoll);
 }
 
 void Learner::publishProgress(const LearningStatus& status) {

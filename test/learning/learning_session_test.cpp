@@ -1,51 +1,20 @@
 #include "learning/learning_session.h"
 
-#include <filesystem>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <map>
+#include <set>
 #include <stdexcept>
 
-#include <gtest/gtest.h>
-
-#include "repertoire/repertoire_file.h"
-#include "robot/load_robot.h"
+#include "learning_fixture.h"
 
 namespace hexapod {
 namespace {
 
 namespace fs = std::filesystem;
 
-class LearningSessionTest : public testing::Test {
- protected:
-  void SetUp() override {
-    folder_ = fs::path(testing::TempDir()) / "hexapod_learning_test";
-    fs::remove_all(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  LearnOptions smallRun(const std::string& name) const {
-    LearnOptions options;
-    options.repertoire_file = (folder_ / name).string();
-    options.evolution.population_size = 10;
-    options.evaluations = 55;  // five generations and a half
-    options.validation_trials = 2;
-    return options;
-  }
-
-  double now() { return time_s_ += 0.5; }
-
-  bool learn(const LearnOptions& options, const LearningSession::Hooks& hooks = {}) {
-    return LearningSession(robot_, options, [this] { return now(); }).run(hooks);
-  }
-
-  const RobotDescription robot_ = loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml");
-  fs::path folder_;
-  double time_s_ = 0.0;
-};
-
-void expectSameEntries(const Repertoire& a, const Repertoire& b) {
-  ASSERT_EQ(a.entries.size(), b.entries.size());
-  EXPECT_EQ(digestOf(a.entries), digestOf(b.entries));
-  EXPECT_EQ(a.run_id, b.run_id);
-}
+class LearningSessionTest : public LearningFixture {};
 
 TEST_F(LearningSessionTest, StoresAValidatedRepertoireOfExactlyItsBudget) {
   const LearnOptions options = smallRun("a.db");
@@ -74,7 +43,7 @@ TEST_F(LearningSessionTest, DependsOnItsSeedAndNotOnItsThreads) {
   other.seed = 2;
   ASSERT_TRUE(learn(one) && learn(three) && learn(other));
   const Repertoire first = loadRepertoire(one.repertoire_file);
-  expectSameEntries(first, loadRepertoire(three.repertoire_file));
+  expectSameRun(first, loadRepertoire(three.repertoire_file));
   EXPECT_NE(digestOf(first.entries), digestOf(loadRepertoire(other.repertoire_file).entries));
 }
 
@@ -89,13 +58,26 @@ TEST_F(LearningSessionTest, StopsWithinTheGenerationAndKeepsWholeOnes) {
   EXPECT_EQ(loadRepertoire(options.repertoire_file).generation, 2);
 }
 
+TEST_F(LearningSessionTest, LeavesNothingBehindWhenStoppedBeforeItsFirstGeneration) {
+  const LearnOptions options = smallRun("none.db");
+  {
+    LearningSession session(robot_, options, [this] { return now(); });
+    session.requestStop();
+    EXPECT_FALSE(session.run({}));
+  }
+  EXPECT_TRUE(learn(options));
+}
+
 TEST_F(LearningSessionTest, ReplacesARepertoireOnlyWhenTold) {
   LearnOptions options = smallRun("kept.db");
   options.evaluations = 10;
   ASSERT_TRUE(learn(options));
   const std::string before = digestOf(loadRepertoire(options.repertoire_file).entries);
   options.seed = 2;
-  EXPECT_THROW(learn(options), std::runtime_error);
+  const std::string sentence = complaintOf([&] { learn(options); });
+  EXPECT_TRUE(mentions(sentence, "kept.db") && mentions(sentence, "resume") &&
+              mentions(sentence, "overwrite"))
+      << sentence;
   EXPECT_EQ(digestOf(loadRepertoire(options.repertoire_file).entries), before);
   options.overwrite = true;
   ASSERT_TRUE(learn(options));
@@ -106,9 +88,16 @@ TEST_F(LearningSessionTest, AsksForAFile) {
   EXPECT_THROW(learn(LearnOptions()), std::invalid_argument);
 }
 
+TEST_F(LearningSessionTest, RefusesAFileThatAnotherSessionWritesNamingItsProcess) {
+  const LearnOptions options = smallRun("a.db");
+  const LearningSession first(robot_, options, [this] { return now(); });
+  const std::string sentence = complaintOf([&] { learn(options); });
+  EXPECT_TRUE(mentions(sentence, "a.db")) << sentence;
+  EXPECT_TRUE(mentions(sentence, "process " + std::to_string(::getpid()))) << sentence;
+}
+
 TEST_F(LearningSessionTest, GoesOnWhenTheFileCannotBeWrittenAndTellsSo) {
-  LearnOptions options = smallRun("gone/a.db");
-  options.checkpoint_period_s = 0.0;
+  const LearnOptions options = smallRun("gone/a.db");
   LearningSession session(robot_, options, [this] { return now(); });
   int failures = 0;
   LearningSession::Hooks hooks;
@@ -120,7 +109,7 @@ TEST_F(LearningSessionTest, GoesOnWhenTheFileCannotBeWrittenAndTellsSo) {
     if (running.status().counters.generations == 1) {
       fs::remove_all(folder_ / "gone");
       fs::create_directories(folder_);
-      // A file where the folder was: it cannot be created anew.
+      // A link where the folder was: it cannot be created anew.
       fs::create_symlink("/nowhere", folder_ / "gone");
     }
   };
@@ -128,10 +117,97 @@ TEST_F(LearningSessionTest, GoesOnWhenTheFileCannotBeWrittenAndTellsSo) {
   EXPECT_GT(failures, 0);
 }
 
+/// As long as it lives no file grows beyond a page: to a process that is a full disk.
+class FullDisk {
+ public:
+  FullDisk() {
+    std::signal(SIGXFSZ, SIG_IGN);
+    ::getrlimit(RLIMIT_FSIZE, &before_);
+    rlimit full = before_;
+    full.rlim_cur = 4096;
+    ::setrlimit(RLIMIT_FSIZE, &full);
+  }
+  ~FullDisk() { ::setrlimit(RLIMIT_FSIZE, &before_); }
+
+ private:
+  rlimit before_{};
+};
+
+TEST_F(LearningSessionTest, KeepsTheLastGoodStateOnAFullDiskAndSavesAgainWhenThereIsRoom) {
+  const LearnOptions options = smallRun("a.db");
+  std::unique_ptr<FullDisk> full;
+  std::map<std::int64_t, std::int64_t> saved;  // generation in the file after each generation
+  int failures = 0;
+  LearningSession::Hooks hooks;
+  hooks.save_failed = [&](const std::string&) { ++failures; };
+  hooks.progress = [&](const LearningSession& running) {
+    const LearningStatus status = running.status();
+    if (status.phase != LearningPhase::kEvolving) return;
+    const std::int64_t generation = status.counters.generations;
+    full.reset();
+    saved[generation] = loadRepertoire(options.repertoire_file).generation;
+    if (generation == 2 || generation == 3) full = std::make_unique<FullDisk>();
+  };
+  EXPECT_TRUE(learn(options, hooks));
+  EXPECT_EQ(failures, 2);
+  EXPECT_EQ(saved,
+            (std::map<std::int64_t, std::int64_t>{{1, 1}, {2, 2}, {3, 2}, {4, 2}, {5, 5}, {6, 6}}));
+}
+
+TEST_F(LearningSessionTest, SavesAboutEveryPeriod) {
+  LearnOptions options = smallRun("a.db");
+  options.evaluations = 80;
+  options.checkpoint_period_s = 3.0;
+  options.validation_trials = 0;
+  double time_s = 0.0;
+  std::vector<std::int64_t> saved;
+  LearningSession::Hooks hooks;
+  hooks.progress = [&](const LearningSession& running) {
+    if (running.status().phase != LearningPhase::kEvolving) return;
+    const bool exists = fs::file_size(options.repertoire_file) > 0;
+    saved.push_back(exists ? loadRepertoire(options.repertoire_file).generation : 0);
+    time_s += 1.0;
+  };
+  LearningSession(robot_, options, [&] { return time_s; }).run(hooks);
+  EXPECT_EQ(saved, (std::vector<std::int64_t>{0, 0, 0, 4, 4, 4, 7, 7}));
+}
+
+TEST_F(LearningSessionTest, SavesMoreRarelyWhenSavingTakesLong) {
+  LearnOptions options = smallRun("a.db");
+  options.evaluations = 400;
+  options.checkpoint_period_s = 0.001;
+  options.validation_trials = 0;
+  std::set<std::int64_t> saved;
+  LearningSession::Hooks hooks;
+  hooks.progress = [&](const LearningSession& running) {
+    if (running.status().phase != LearningPhase::kEvolving) return;
+    saved.insert(loadRepertoire(options.repertoire_file).generation);
+  };
+  ASSERT_TRUE(learn(options, hooks));
+  // A save takes half a second of this clock: a hundredth of 50 s, in which it is read 100 times.
+  const double most = 1.0 + time_s_ / 50.0;
+  EXPECT_GE(saved.size(), 2U);
+  EXPECT_LE(static_cast<double>(saved.size()), most);
+}
+
+TEST_F(LearningSessionTest, EndsWhenItsTimeIsUp) {
+  LearnOptions options = smallRun("a.db");
+  options.evaluations = 1000000;
+  options.time_budget_s = 10.0;
+  ASSERT_TRUE(learn(options));
+  const Repertoire repertoire = loadRepertoire(options.repertoire_file);
+  EXPECT_GT(repertoire.evaluations, 0);
+  EXPECT_LT(repertoire.evaluations, 1000);
+  EXPECT_GE(repertoire.history.back().elapsed_s, 10.0);
+  EXPECT_LT(repertoire.history.back().elapsed_s, 15.0);
+}
+
 TEST(LearnOptions, NamesAreUnique) {
   LearnOptions options;
   std::map<std::string, int> names;
-  for (const Option& option : declareOptions(options)) EXPECT_EQ(++names[option.name], 1) << option.name;
+  for (const Option& option : declareOptions(options)) {
+    EXPECT_EQ(++names[option.name], 1) << option.name;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gait/behavior_options.h"
+#include "repertoire/entry.h"
+#include "repertoire/metrics.h"
+#include "simulation/world_pool.h"
+
+namespace hexapod {
+
+/// A world to try a repertoire in.
+struct Trial {
+  std::string name;
+  Physics physics;
+};
+
+/// The nominal physics first, then those that repertoires are judged by and learning does not
+/// use: a 5 ms step, friction 0.7 and 1.1, masses and servo gains 10 and 20 % off, torque 20 %
+/// less.
+std::vector<Trial> heldOutTrials(const RobotDescription& robot, const Physics& nominal);
+
+/// What is left of a repertoire in a trial.
+struct TrialResult {
+  std::string name;
+  RepertoireMetrics metrics;  ///< of the entries that walked, by where they ended here
+  std::int64_t failed = 0;
+  double median_shift_m = 0.0;  ///< from the expected poses, of the entries that walked
+  double p90_shift_m = 0.0;
+};
+
+/// Plays every entry once from the stand in each trial. The pool gives engine and threads.
+std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
+                                    const BehaviorOptions& behavior,
+                                    const std::vector<Entry>& entries,
+                                    const std::vector<Trial>& trials);
+
+/// How entries do one after another.
+struct ChainResult {
+  std::int64_t behaviors = 0;
+  std::int64_t failed = 0;  ///< after a failure the chain goes on from the stand
+  double median_m = 0.0;    ///< between end poses and expected poses, of those that walked
+  double p90_m = 0.0;
+  double median_rad = 0.0;
+  double p90_rad = 0.0;
+};
+
+/// Plays `behaviors` random entries one after another in one simulation of nominal physics.
+/// `entries` must not be empty.
+ChainResult chainAtRandom(const WorldPool& pool, const BehaviorOptions& behavior,
+                          const std::vector<Entry>& entries, std::int64_t behaviors,
+                          std::uint64_t seed);
+
+}  // namespace hexapod

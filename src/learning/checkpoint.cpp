@@ -1,0 +1,96 @@
+#include "learning/checkpoint.h"
+
+#include <array>
+#include <map>
+#include <sstream>
+#include <stdexcept>
+
+#include "evolution/evolution_state.h"
+#include "repertoire/number_text.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::array<LearningPhase, 3> kPhases = {LearningPhase::kEvolving,
+                                                  LearningPhase::kValidating, LearningPhase::kDone};
+// Evolution's own texts stand beside these.
+constexpr const char* kPhaseKey = "session.phase";
+constexpr const char* kElapsedKey = "session.elapsed_s";
+constexpr const char* kArchiveOrderKey = "session.archive_order";
+
+[[noreturn]] void fail(const std::string& name, const std::string& expected,
+                       const std::string& found) {
+  throw std::invalid_argument("The learner state '" + name + "' cannot be used: expected " +
+                              expected + ", found " + found + ".");
+}
+
+std::string textOf(const LearnerState& state, const std::string& name) {
+  const auto found = state.find(name);
+  if (found == state.end()) fail(name, "a text", "none");
+  return found->second;
+}
+
+LearningPhase phaseFrom(const LearnerState& state) {
+  const std::string text = textOf(state, kPhaseKey);
+  for (const LearningPhase phase : kPhases) {
+    if (text == toString(phase)) return phase;
+  }
+  fail(kPhaseKey, "evolving, validating or done", "'" + text + "'");
+}
+
+double elapsedFrom(const LearnerState& state) {
+  const std::string text = textOf(state, kElapsedKey);
+  const auto number = doubleFromText(text);
+  if (!number || !(*number >= 0.0)) fail(kElapsedKey, "seconds", "'" + text + "'");
+  return *number;
+}
+
+/// The entries in the order of the archive that was saved, as it was before validation.
+std::vector<Entry> archiveFrom(const StoredRepertoire& stored) {
+  std::map<std::int64_t, Entry> by_id;
+  for (const Entry& entry : stored.repertoire.entries) by_id[entry.id] = entry;
+  std::vector<Entry> archive;
+  std::istringstream ids(textOf(stored.learner_state, kArchiveOrderKey));
+  for (std::string id; ids >> id;) {
+    const auto number = integerFromText(id);
+    const auto found = number ? by_id.find(*number) : by_id.end();
+    if (found == by_id.end()) fail(kArchiveOrderKey, "ids of entries, each once", "'" + id + "'");
+    archive.push_back(found->second);
+    archive.back().execution.reset();
+    by_id.erase(found);
+  }
+  if (!by_id.empty()) {
+    fail(kArchiveOrderKey, "the id of every entry", "no " + std::to_string(by_id.begin()->first));
+  }
+  return archive;
+}
+
+}  // namespace
+
+std::string toString(LearningPhase phase) {
+  switch (phase) {
+    case LearningPhase::kEvolving:
+      return "evolving";
+    case LearningPhase::kValidating:
+      return "validating";
+    case LearningPhase::kDone:
+      return "done";
+  }
+  return "unknown";
+}
+
+LearnerState toLearnerState(const Checkpoint& checkpoint) {
+  LearnerState state = toTexts(checkpoint.evolution);
+  state[kPhaseKey] = toString(checkpoint.phase);
+  state[kElapsedKey] = toText(checkpoint.elapsed_s);
+  std::string& order = state[kArchiveOrderKey];
+  for (const Entry& entry : checkpoint.evolution.archive) order += std::to_string(entry.id) + "\n";
+  return state;
+}
+
+Checkpoint checkpointFrom(const StoredRepertoire& stored) {
+  const LearnerState& state = stored.learner_state;
+  return {stateFromTexts(state, archiveFrom(stored)), phaseFrom(state), elapsedFrom(state)};
+}
+
+}  // namespace hexapod

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "evolution/individual.h"
+#include "learning/learning_phase.h"
+#include "repertoire/repertoire_file.h"
+
+namespace hexapod {
+
+/// What a learning session is made of besides options, history and executions: with those, which
+/// its repertoire holds, all that it needs to go on exactly.
+struct Checkpoint {
+  EvolutionState evolution;  ///< archive in its own order, entries without executions
+  LearningPhase phase = LearningPhase::kEvolving;
+  double elapsed_s = 0.0;  ///< spent evolving
+};
+
+/// The checkpoint as texts by name; all but the archive's entries, which are the repertoire's.
+LearnerState toLearnerState(const Checkpoint& checkpoint);
+
+/// Puts the checkpoint together again from a file's content. Throws std::invalid_argument with a
+/// sentence naming the text that is missing or wrong, what was expected and what was found.
+Checkpoint checkpointFrom(const StoredRepertoire& stored);
+
+}  // namespace hexapod

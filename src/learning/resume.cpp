@@ -1,0 +1,73 @@
+#include "learning/resume.h"
+
+#include <map>
+#include <set>
+#include <stdexcept>
+
+namespace hexapod {
+namespace {
+
+using Options = std::map<std::string, std::string>;
+
+std::string textIn(const Options& options, const std::string& name) {
+  const auto found = options.find(name);
+  return found == options.end() ? "not there" : found->second;
+}
+
+/// A line for each difference between the run in the file and the one that is asked for.
+std::string differences(const Repertoire& stored, const RobotDescription& robot,
+                        const LearnOptions& options) {
+  std::string lines;
+  const auto add = [&](const std::string& name, const std::string& then, const std::string& now) {
+    if (then != now) lines += "\n  " + name + ": " + then + " in the file, " + now + " now";
+  };
+  const Options wanted = resultOptions(options);
+  std::set<std::string> names;
+  for (const auto& [name, text] : stored.options) names.insert(name);
+  for (const auto& [name, text] : wanted) names.insert(name);
+  for (const std::string& name : names) {
+    if (!isBudget(name)) add(name, textIn(stored.options, name), textIn(wanted, name));
+  }
+  add("robot", stored.robot_id, robot.digest);
+  if (options.evaluations < stored.evaluations) {
+    add("evaluations", std::to_string(stored.evaluations) + " done",
+        std::to_string(options.evaluations));
+  }
+  return lines;
+}
+
+std::vector<Execution> executionsOf(const Checkpoint& checkpoint,
+                                    const std::vector<Entry>& entries) {
+  std::map<std::int64_t, Execution> by_id;
+  for (const Entry& entry : entries) {
+    if (entry.execution) by_id[entry.id] = *entry.execution;
+  }
+  std::vector<Execution> executions;
+  if (by_id.size() != entries.size()) return executions;
+  for (const Entry& entry : checkpoint.evolution.archive) executions.push_back(by_id.at(entry.id));
+  return executions;
+}
+
+}  // namespace
+
+Resumed resume(const RobotDescription& robot, const LearnOptions& options) {
+  const StoredRepertoire stored = loadStoredRepertoire(options.repertoire_file);
+  const std::string hint =
+      "\nNothing was changed: choose another repertoire_file, or set overwrite to true and resume "
+      "to "
+      "false to replace this one.";
+  const std::string start = "The run in " + options.repertoire_file + " cannot be resumed: ";
+  const std::string lines = differences(stored.repertoire, robot, options);
+  if (!lines.empty()) {
+    throw std::invalid_argument(start + "it would not be the same run." + lines + hint);
+  }
+  try {
+    const Checkpoint checkpoint = checkpointFrom(stored);
+    return {checkpoint, stored.repertoire.history,
+            executionsOf(checkpoint, stored.repertoire.entries)};
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(start + error.what() + hint);
+  }
+}
+
+}  // namespace hexapod

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "learning/checkpoint.h"
+#include "learning/learn_options.h"
+#include "robot/robot_description.h"
+
+namespace hexapod {
+
+/// From where a session goes on.
+struct Resumed {
+  Checkpoint checkpoint;
+  std::vector<HistoryRow> history;
+  std::vector<Execution> executions;  ///< per archive entry; empty unless all were validated
+};
+
+/// Reads the run that repertoire_file holds. Throws std::invalid_argument when it is another run
+/// than these options and this robot make, with a line for each difference, or cannot be gone on
+/// with; std::runtime_error as loadStoredRepertoire() does.
+///
+/// Budgets may differ: the same run may be given more evaluations or more time. It must not have
+/// fewer evaluations than were done already.
+Resumed resume(const RobotDescription& robot, const LearnOptions& options);
+
+}  // namespace hexapod
