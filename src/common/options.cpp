@@ -146,11 +146,11 @@ std::string Option::text() const {
 }
 
 std::string Option::range() const {
-  if (std::get_if<bool*>(&target)) return "true | false";
+  if (std::get_if<bool*>(&target)) return "true or false";
   if (std::get_if<std::string*>(&target)) {
     if (choices.empty()) return "text";
     std::string all;
-    for (const std::string& choice : choices) all += (all.empty() ? "" : " | ") + choice;
+    for (const std::string& choice : choices) all += (all.empty() ? "" : " or ") + choice;
     return all;
   }
   return numberText(min) + " .. " + numberText(max) + (unit.empty() ? "" : " " + unit);

@@ -27,7 +27,7 @@ struct Option {
 
   /// Value now, as text: "0.1", "true", "ode".
   std::string text() const;
-  /// "0 .. 1", "ode | reduced", "true | false", "text".
+  /// "0 .. 1 m", "ode or reduced", "true or false", "text".
   std::string range() const;
 };
 

@@ -3,10 +3,11 @@
 roslaunch itself returns 0 even when a required node died with an error, so a script cannot tell a
 failed session from a good one.
 """
+import difflib
 import sys
 from typing import List
 
-from roslaunch.arg_dump import dump_args
+from roslaunch.arg_dump import dump_args, get_args
 from roslaunch.core import RLException
 from roslaunch.parent import ROSLaunchParent
 from roslaunch.pmon import ProcessListener
@@ -25,6 +26,20 @@ class FirstFailure(ProcessListener):
             self.exit_code = exit_code if exit_code > 0 else 128 - exit_code
 
 
+def problem_with(launch_file: str, arguments: List[str]) -> str:
+    """What is wrong with arguments name:=value, which roslaunch would ignore in silence; or ""."""
+    known = get_args([launch_file])
+    for argument in arguments:
+        name, assignment, _ = argument.partition(":=")
+        if not assignment:
+            return f"'{argument}' is no argument of a launch file: expected name:=value."
+        if name not in known:
+            near = difflib.get_close_matches(name, known, n=1)
+            hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(sorted(known))}."
+            return f"{launch_file} has no argument '{name}'; {hint}"
+    return ""
+
+
 def main(argv: List[str]) -> int:
     """Launches argv[0] with the arguments argv[1:] (name:=value) and returns the exit code.
 
@@ -33,9 +48,9 @@ def main(argv: List[str]) -> int:
     if "--ros-args" in argv:
         dump_args([argv[0]])
         return 0
-    wrong = [argument for argument in argv[1:] if ":=" not in argument]
-    if wrong:
-        print(f"'{wrong[0]}' is no argument of a launch file: expected name:=value.", file=sys.stderr)
+    problem = problem_with(argv[0], argv[1:])
+    if problem:
+        print(problem, file=sys.stderr)
         return 2
     listener = FirstFailure()
     parent = ROSLaunchParent(

@@ -4,8 +4,9 @@
 #include <unistd.h>
 
 #include "ros_interface/executor_node.h"
-#include "ros_interface/executor_process.h"
+#include "ros_interface/node_process.h"
 #include "ros_interface/params.h"
+#include "ros_interface/robot_param.h"
 
 namespace hexapod {
 namespace {
@@ -14,12 +15,11 @@ namespace {
 constexpr int kMasterLostExitCode = 3;
 
 int execute() {
-  if (!startProcess()) return 0;
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
   ExecutorNodeOptions options;
   loadParams(private_node, declareOptions(options));
-  ExecutorNode executor(node, private_node, options, requireRobot(node, options.robot_config));
+  ExecutorNode executor(node, private_node, options, robotFromParams(node, options.robot_config));
   // Page faults would make the command loop late; only root may lock all it will ever map.
   if (geteuid() == 0) mlockall(MCL_CURRENT | MCL_FUTURE);
   const ExecutorNode::End end = executor.run(leaveFlag());
@@ -28,10 +28,14 @@ int execute() {
   return kMasterLostExitCode;
 }
 
+std::string optionTable() {
+  ExecutorNodeOptions options;
+  return describeOptions(declareOptions(options));
+}
+
 }  // namespace
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "executor", ros::init_options::NoSigintHandler);
-  return hexapod::runNode(hexapod::execute);
+  return hexapod::runNode(argc, argv, {"executor", hexapod::execute, hexapod::optionTable});
 }

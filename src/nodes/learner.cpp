@@ -1,7 +1,9 @@
 // Learns a repertoire of gaits in simulation and publishes it.
+#include "ros_interface/learner.h"
+
 #include <ros/ros.h>
 
-#include "ros_interface/learner.h"
+#include "ros_interface/node_process.h"
 #include "ros_interface/params.h"
 
 namespace hexapod {
@@ -17,14 +19,18 @@ int learn() {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   const bool finished = learner.run();
-  if (finished && !options.exit_when_done) ros::waitForShutdown();
+  if (finished && !options.exit_when_done) waitUntilAskedToLeave();
   return 0;
+}
+
+std::string optionTable() {
+  LearnerOptions options;
+  return describeOptions(declareOptions(options));
 }
 
 }  // namespace
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "learner");
-  return hexapod::runNode(hexapod::learn);
+  return hexapod::runNode(argc, argv, {"learner", hexapod::learn, hexapod::optionTable});
 }

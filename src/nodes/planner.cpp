@@ -1,6 +1,7 @@
 // Plans chains of repertoire entries to goal poses and has the executor walk them.
 #include <ros/ros.h>
 
+#include "ros_interface/node_process.h"
 #include "ros_interface/params.h"
 #include "ros_interface/walk_interfaces.h"
 
@@ -19,14 +20,18 @@ int plan() {
   const WalkInterfaces interfaces(node, private_node, walker, options);
   ros::AsyncSpinner spinner(kThreads);
   spinner.start();
-  ros::waitForShutdown();
+  waitUntilAskedToLeave();
   return 0;
+}
+
+std::string optionTable() {
+  PlannerNodeOptions options;
+  return describeOptions(declareOptions(options));
 }
 
 }  // namespace
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "planner");
-  return hexapod::runNode(hexapod::plan);
+  return hexapod::runNode(argc, argv, {"planner", hexapod::plan, hexapod::optionTable});
 }

@@ -2,34 +2,45 @@
 #include <ros/ros.h>
 
 #include "repertoire/repertoire_file.h"
+#include "ros_interface/node_process.h"
 #include "ros_interface/params.h"
 #include "ros_interface/repertoire_publisher.h"
 
 namespace hexapod {
 namespace {
 
+std::vector<Option> declareOptions(std::string& file) {
+  return {option("repertoire_file", file, "SQLite file written by the learner.")};
+}
+
 int serve() {
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
   std::string file;
-  loadParams(private_node,
-             {option("repertoire_file", file, "SQLite file written by the learner.")});
+  loadParams(private_node, declareOptions(file));
   if (file.empty()) {
     throw std::invalid_argument(
-        "~repertoire_file is empty; give the path of a repertoire, e.g. repertoire_file:=gaits.db.");
+        "~repertoire_file is empty; give the path of a repertoire, e.g. "
+        "repertoire_file:=gaits.db.");
   }
   RepertoirePublisher publisher(node);
   const Repertoire repertoire = loadRepertoire(expandHome(file));
   publisher.publish(repertoire);
   ROS_INFO_STREAM("Publishing " << repertoire.entries.size() << " entries of " << file << ".");
-  ros::spin();
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  waitUntilAskedToLeave();
   return 0;
+}
+
+std::string optionTable() {
+  std::string file;
+  return describeOptions(declareOptions(file));
 }
 
 }  // namespace
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "repertoire_server");
-  return hexapod::runNode(hexapod::serve);
+  return hexapod::runNode(argc, argv, {"repertoire_server", hexapod::serve, hexapod::optionTable});
 }

@@ -1,5 +1,7 @@
 #include "ros_interface/behavior_client.h"
 
+#include "ros_interface/node_process.h"
+
 namespace hexapod {
 namespace {
 
@@ -25,21 +27,25 @@ BehaviorClient::Result BehaviorClient::play(std::int64_t entry_id, const std::st
   // An executor that is still standing up, or returning to the neutral pose, is ready soon.
   const ros::Time patience = ros::Time::now() + ros::Duration(kReadyTimeout);
   Result result = playOnce(goal, longest_s, cancelled);
-  while (result.end == End::kNotReady && ros::Time::now() < patience && !cancelled() && ros::ok()) {
+  while (result.end == End::kNotReady && ros::Time::now() < patience && !cancelled() &&
+         !askedToLeave()) {
     ros::Duration(kPoll).sleep();
     result = playOnce(goal, longest_s, cancelled);
   }
   return result;
 }
 
-BehaviorClient::Result BehaviorClient::playOnce(
-    const hexapod_repertoire::ExecuteBehaviorGoal& goal, double longest_s,
-    const std::function<bool()>& cancelled) {
+BehaviorClient::Result BehaviorClient::playOnce(const hexapod_repertoire::ExecuteBehaviorGoal& goal,
+                                                double longest_s,
+                                                const std::function<bool()>& cancelled) {
   client_.sendGoal(goal);
   ros::Time deadline = ros::Time::now() + ros::Duration(longest_s);
   bool cancelling = false;
   while (!client_.waitForResult(ros::Duration(kPoll))) {
-    if (!ros::ok()) return {End::kCancelled, "Shutting down.", {}};
+    if (askedToLeave()) {
+      client_.cancelGoal();
+      return {End::kCancelled, "Shutting down.", {}};
+    }
     if (!cancelling && cancelled()) {
       cancelling = true;
       client_.cancelGoal();
@@ -47,14 +53,14 @@ BehaviorClient::Result BehaviorClient::playOnce(
     }
     if (ros::Time::now() > deadline) {
       client_.cancelGoal();
-      return {End::kFault, "The executor did not finish a behaviour in time; see executor/state.", {}};
+      return {
+          End::kFault, "The executor did not finish a behaviour in time; see executor/state.", {}};
     }
   }
   const auto result = client_.getResult();
   const bool played = client_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
-  const std::string message = result && !result->message.empty()
-                                  ? result->message
-                                  : client_.getState().getText();
+  const std::string message =
+      result && !result->message.empty() ? result->message : client_.getState().getText();
   const ros::Time finished = result ? result->finished : ros::Time(0);
   if (played) return {End::kPlayed, message, finished};
   if (result && result->code == hexapod_repertoire::ExecuteBehaviorResult::NOT_READY) {

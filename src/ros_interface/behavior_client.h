@@ -1,11 +1,11 @@
 #pragma once
 
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+
 #include <cstdint>
 #include <functional>
 #include <string>
-
-#include <actionlib/client/simple_action_client.h>
-#include <ros/node_handle.h>
 
 #include "hexapod_repertoire/ExecuteBehaviorAction.h"
 

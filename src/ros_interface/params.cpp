@@ -1,15 +1,11 @@
 #include "ros_interface/params.h"
 
+#include <ros/param.h>
+
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
 #include <map>
-#include <sstream>
 #include <stdexcept>
-
-#include <ros/console.h>
-#include <ros/init.h>
-#include <ros/param.h>
 
 namespace hexapod {
 namespace {
@@ -60,25 +56,6 @@ std::string expandHome(const std::string& path) {
   const char* home = std::getenv("HOME");
   const bool relative_to_home = path == "~" || path.rfind("~/", 0) == 0;
   return relative_to_home && home ? home + path.substr(1) : path;
-}
-
-int runNode(int (*body)()) {
-  const auto explain = [](const std::exception& error) {
-    std::istringstream lines(error.what());
-    for (std::string line; std::getline(lines, line);) ROS_FATAL_STREAM(line);
-  };
-  for (const int signal : {SIGTERM, SIGHUP}) {
-    std::signal(signal, [](int) { ros::requestShutdown(); });
-  }
-  try {
-    return body();
-  } catch (const std::invalid_argument& error) {
-    explain(error);
-    return 2;
-  } catch (const std::exception& error) {
-    explain(error);
-    return 1;
-  }
 }
 
 }  // namespace hexapod

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <ros/node_handle.h>
+
 #include <string>
 #include <vector>
-
-#include <ros/node_handle.h>
 
 #include "common/options.h"
 
@@ -17,12 +17,8 @@ namespace hexapod {
 void loadParams(const ros::NodeHandle& private_node, const std::vector<Option>& options,
                 const std::vector<std::string>& also_known = {});
 
-/// Replaces a leading "~/" by the home directory, as a shell would. Other paths are returned as they are.
+/// Replaces a leading "~/" by the home directory, as a shell would. Other paths are returned as
+/// they are.
 std::string expandHome(const std::string& path);
-
-/// Runs a node's body, after ros::init(). What it throws becomes one FATAL sentence per line and an
-/// exit code: 2 for std::invalid_argument (wrong options), 1 for anything else. SIGTERM and SIGHUP
-/// shut the node down in order, as SIGINT does.
-int runNode(int (*body)());
 
 }  // namespace hexapod

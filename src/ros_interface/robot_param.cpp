@@ -13,12 +13,12 @@ RobotDescription robotFromParams(const ros::NodeHandle& node, const std::string&
   const std::string name = node.resolveName("robot_description");
   std::string urdf;
   if (!node.getParam("robot_description", urdf) || urdf.empty()) {
-    throw std::runtime_error("The parameter " + name +
-                             " is missing; load the robot's URDF into it, e.g. <param "
-                             "name=\"robot_description\" textfile=\"urdf/hexapod.urdf\"/>.");
+    throw std::invalid_argument("The parameter " + name +
+                                " is missing; load the robot's URDF into it, e.g. <param "
+                                "name=\"robot_description\" textfile=\"urdf/hexapod.urdf\"/>.");
   }
   if (robot_config.empty()) {
-    throw std::runtime_error(
+    throw std::invalid_argument(
         "The parameter ~robot_config is missing; give the path of the robot's YAML, e.g. "
         "config/hexapod.yaml.");
   }
@@ -27,9 +27,14 @@ RobotDescription robotFromParams(const ros::NodeHandle& node, const std::string&
   std::stringstream yaml;
   yaml << stream.rdbuf();
   if (!stream) {
-    throw std::runtime_error(path + " cannot be read; ~robot_config expects the robot's YAML file.");
+    throw std::invalid_argument(path +
+                                " cannot be read; ~robot_config expects the robot's YAML file.");
   }
-  return parseRobot(urdf, yaml.str(), name, path);
+  try {
+    return parseRobot(urdf, yaml.str(), name, path);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
 }
 
 }  // namespace hexapod

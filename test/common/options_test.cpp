@@ -60,7 +60,7 @@ TEST(ApplyOptions, ListsAllProblemsAtOnceAndSetsNothing) {
                                            {"engine", std::string("bullet")}});
   for (const char* part : {"'threshold_m' is wrong: expected 0 .. 10 m, found -1",
                            "expected a whole number, found 1.5", "expected true or false, found 1",
-                           "expected ode | reduced, found the text 'bullet'"}) {
+                           "expected ode or reduced, found the text 'bullet'"}) {
     EXPECT_NE(problems.find(part), std::string::npos) << part << "\nnot in\n" << problems;
   }
 }
