@@ -1,0 +1,54 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "evolution/evaluator.h"
+#include "simulation/robust_options.h"
+#include "simulation/robust_worlds.h"
+
+namespace hexapod {
+
+/// Evaluates genomes as they are executed: not only from a perfect start in one world.
+///
+/// The first look is another evaluator's: one run under nominal conditions. The second look adds
+/// runs under perturbed physics and runs that start after other behaviours, and gives the whole:
+/// the mean end pose of all runs, and as orientation error the mean of theirs plus
+/// spread_weight_rad_per_m times the spread of the end positions. Any failure is a failure.
+///
+/// Perturbations and start states are drawn once, from the seed: an outcome depends on its genome
+/// alone, whatever the number of threads.
+class RobustEvaluator : public Evaluator {
+ public:
+  /// Nominal physics are the pool's. Throws std::invalid_argument when options do not fit.
+  /// `nominal` and `cancelled`, if given, must outlive the evaluator.
+  RobustEvaluator(Evaluator& nominal, std::shared_ptr<WorldPool> pool,
+                  const BehaviorOptions& behavior, const RobustnessOptions& options,
+                  std::uint64_t seed, const std::atomic<bool>* cancelled = nullptr);
+
+  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override;
+  bool looksTwice() const override { return options_.isOn(); }
+  std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
+                                 const std::vector<Outcome>& first) override;
+
+  /// Runs added to those of the first looks so far.
+  std::int64_t simulations() const { return simulations_; }
+
+ private:
+  Outcome whole(const std::vector<Outcome>& outcomes) const;
+  void prepareStartStates();
+
+  Evaluator* nominal_;
+  RobotDescription robot_;
+  BehaviorOptions behavior_;
+  RobustnessOptions options_;
+  std::uint64_t seed_;
+  const std::atomic<bool>* cancelled_;
+  RobustWorlds worlds_;  // physics 0 is the nominal one
+  std::vector<WorldState> start_states_;
+  std::int64_t simulations_ = 0;
+};
+
+}  // namespace hexapod

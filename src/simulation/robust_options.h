@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "common/options.h"
+#include "simulation/world.h"
+
+namespace hexapod {
+
+/// How candidates are tried under other conditions than the nominal ones; off by default.
+struct RobustnessOptions {
+  std::int64_t perturbed_physics = 0;  ///< runs with other physics, from the stand, 0 .. 100
+  std::int64_t start_states = 0;       ///< runs after other behaviours, nominal physics, 0 .. 100
+  /// What a metre of spread counts as orientation error [rad/m].
+  double spread_weight_rad_per_m = 4.0;
+  // How far the perturbed physics reach: factors are drawn from 1 -+ variation.
+  double friction_variation = 0.25;
+  double mass_variation = 0.10;
+  double servo_gain_variation = 0.25;
+  double torque_variation = 0.10;
+  double slope_variation_rad = 0.0;  ///< slopes along x and along y, either way
+
+  bool isOn() const { return perturbed_physics + start_states > 0; }
+};
+
+/// The options under their names, bound to `options`, which must outlive them.
+std::vector<Option> declareOptions(RobustnessOptions& options);
+
+/// The perturbed physics of a seed, one per run. Steps go in turn through the nominal one and the
+/// next two smaller ones that divide the command period; of every other quantity each run gets its
+/// own one of equal parts of the range (a Latin hypercube), so that few runs cover all of it.
+std::vector<Physics> perturbedPhysics(const RobustnessOptions& options, const Physics& nominal,
+                                      double command_period_s, std::uint64_t seed);
+
+}  // namespace hexapod
