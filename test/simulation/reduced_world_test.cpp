@@ -68,6 +68,14 @@ TEST(ReducedWorld, StepsAsOdeFromTheSameState) {
   expectStepsAsOde(handMadeHexapod(), Physics(), 0.6);
 }
 
+TEST(ReducedWorld, DiffersFromOdeByItsCompliantJointsOnly) {
+  RobotDescription robot = handMadeHexapod();
+  robot.contact.joint_cfm = 1e-15;
+  const Difference largest = largestStepDifference(robot, Physics(), 0.6, 100);
+  EXPECT_LT(largest.velocity, 1e-10);
+  EXPECT_LT(largest.pose, 1e-12);
+}
+
 TEST(ReducedWorld, StepsAsOdeUnderOtherPhysics) {
   Physics physics;
   physics.step_s = 0.005;
