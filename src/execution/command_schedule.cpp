@@ -46,7 +46,6 @@ const std::vector<double>* CommandSchedule::due(std::int64_t step_ns) {
 void CommandSchedule::clear() {
   waiting_.clear();
   acting_since_ns_ = 0;
-  newest_stamp_ns_ = 0;
 }
 
 }  // namespace hexapod

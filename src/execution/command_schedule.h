@@ -32,7 +32,7 @@ class CommandSchedule {
   /// Valid until the next call of any function.
   const std::vector<double>* due(std::int64_t step_ns);
 
-  /// Forgets what waits and what was.
+  /// Forgets what waits and what acts. The stream goes on: its newest stamp stays known.
   void clear();
 
   std::size_t waiting() const { return waiting_.size(); }

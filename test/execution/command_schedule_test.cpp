@@ -70,11 +70,12 @@ TEST(CommandSchedule, AppliesUnstampedAndForeignCommandsFromTheNextStep) {
   EXPECT_EQ(schedule.newestStamp_ns(), 0);
 }
 
-TEST(CommandSchedule, ForgetsEverythingWhenCleared) {
+TEST(CommandSchedule, ForgetsCommandsButNotTheStreamWhenCleared) {
   CommandSchedule schedule(kLatency_ns);
   schedule.add(1000 * kMs, 990 * kMs, {1.0});
   schedule.clear();
   EXPECT_EQ(schedule.due(2000 * kMs), nullptr);
+  EXPECT_EQ(schedule.newestStamp_ns(), 1000 * kMs);
   EXPECT_EQ(schedule.add(900 * kMs, 890 * kMs, {1.0}), Arrival::kScheduled);
 }
 
