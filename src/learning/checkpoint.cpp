@@ -16,6 +16,7 @@ constexpr std::array<LearningPhase, 3> kPhases = {LearningPhase::kEvolving,
 // Evolution's own texts stand beside these.
 constexpr const char* kPhaseKey = "session.phase";
 constexpr const char* kElapsedKey = "session.elapsed_s";
+constexpr const char* kSimulationsKey = "session.simulations";
 constexpr const char* kArchiveOrderKey = "session.archive_order";
 
 [[noreturn]] void fail(const std::string& name, const std::string& expected,
@@ -42,6 +43,13 @@ double elapsedFrom(const LearnerState& state) {
   const std::string text = textOf(state, kElapsedKey);
   const auto number = doubleFromText(text);
   if (!number || !(*number >= 0.0)) fail(kElapsedKey, "seconds", "'" + text + "'");
+  return *number;
+}
+
+std::int64_t simulationsFrom(const LearnerState& state) {
+  const std::string text = textOf(state, kSimulationsKey);
+  const auto number = integerFromText(text);
+  if (!number || *number < 0) fail(kSimulationsKey, "a count", "'" + text + "'");
   return *number;
 }
 
@@ -83,6 +91,7 @@ LearnerState toLearnerState(const Checkpoint& checkpoint) {
   LearnerState state = toTexts(checkpoint.evolution);
   state[kPhaseKey] = toString(checkpoint.phase);
   state[kElapsedKey] = toText(checkpoint.elapsed_s);
+  state[kSimulationsKey] = std::to_string(checkpoint.simulations);
   std::string& order = state[kArchiveOrderKey];
   for (const Entry& entry : checkpoint.evolution.archive) order += std::to_string(entry.id) + "\n";
   return state;
@@ -90,7 +99,8 @@ LearnerState toLearnerState(const Checkpoint& checkpoint) {
 
 Checkpoint checkpointFrom(const StoredRepertoire& stored) {
   const LearnerState& state = stored.learner_state;
-  return {stateFromTexts(state, archiveFrom(stored)), phaseFrom(state), elapsedFrom(state)};
+  return {stateFromTexts(state, archiveFrom(stored)), phaseFrom(state), elapsedFrom(state),
+          simulationsFrom(state)};
 }
 
 }  // namespace hexapod

@@ -14,6 +14,7 @@ struct Checkpoint {
   EvolutionState evolution;  ///< archive in its own order, entries without executions
   LearningPhase phase = LearningPhase::kEvolving;
   double elapsed_s = 0.0;  ///< spent evolving
+  std::int64_t simulations = 0;
 };
 
 /// The checkpoint as texts by name; all but the archive's entries, which are the repertoire's.

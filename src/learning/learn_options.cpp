@@ -37,16 +37,21 @@ std::vector<Option> declareOptions(LearnOptions& options) {
       option("checkpoint_period_s", options.checkpoint_period_s, "s",
              "The file is written about this often while learning, but not so often that it takes "
              "more than 1 % of the time; 0: after every generation.",
-             0.0, 86400.0)};
-  for (auto& more : {declareOptions(options.evolution), declareOptions(options.behavior)}) {
+             0.0, 86400.0),
+      option("cached_genomes", options.cached_genomes,
+             "Genomes whose outcomes are remembered, so that none is simulated twice; about 200 "
+             "bytes each.",
+             0, 100000000)};
+  for (auto& more : {declareOptions(options.evolution), declareOptions(options.behavior),
+                     declareOptions(options.robustness)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
 }
 
 std::map<std::string, std::string> resultOptions(const LearnOptions& options) {
-  const std::set<std::string> others = {"repertoire_file", "overwrite", "resume", "threads",
-                                        "checkpoint_period_s"};
+  const std::set<std::string> others = {"repertoire_file", "overwrite",           "resume",
+                                        "threads",         "checkpoint_period_s", "cached_genomes"};
   LearnOptions copy = options;
   std::map<std::string, std::string> texts;
   for (const Option& option : declareOptions(copy)) {

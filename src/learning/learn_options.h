@@ -9,6 +9,7 @@
 #include "evolution/evolution_options.h"
 #include "gait/behavior_options.h"
 #include "robot/robot_description.h"
+#include "simulation/robust_options.h"
 
 namespace hexapod {
 
@@ -25,8 +26,10 @@ struct LearnOptions {
   double step_s = 0.015;
   std::int64_t validation_trials = 8;
   double checkpoint_period_s = 5.0;
+  std::int64_t cached_genomes = 300000;
   EvolutionOptions evolution;
   BehaviorOptions behavior;
+  RobustnessOptions robustness;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

@@ -47,13 +47,13 @@ std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOpti
 }
 
 BrEvolution makeEvolution(const RobotDescription& robot, const LearnOptions& options,
-                          Evaluator& evaluator, const std::optional<Resumed>& resumed) {
+                          CandidateEvaluator& evaluator, const std::optional<Resumed>& resumed) {
   if (resumed) {
-    return BrEvolution(options.evolution, robot.geneCount(), evaluator,
-                       resumed->checkpoint.evolution);
+    return BrEvolution(options.evolution, robot.geneCount(), evaluator.evaluator(),
+                       resumed->checkpoint.evolution, evaluator.symmetries());
   }
-  return BrEvolution(options.evolution, robot.geneCount(), evaluator,
-                     Random(static_cast<std::uint64_t>(options.seed)));
+  return BrEvolution(options.evolution, robot.geneCount(), evaluator.evaluator(),
+                     Random(static_cast<std::uint64_t>(options.seed)), evaluator.symmetries());
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ LearningSession::LearningSession(const RobotDescription& robot, const LearnOptio
       engine_(chooseEngine(options.engine, robot)),
       worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
                                           static_cast<int>(options.threads))),
-      evaluator_(worlds_, options.behavior, &stop_),
+      evaluator_(worlds_, options, stop_),
       evolution_(makeEvolution(robot, options, evaluator_, resumed_)) {
   if (resumed_) goOn();
 }
@@ -110,6 +110,10 @@ bool LearningSession::run(const Hooks& hooks) {
 bool LearningSession::budgetIsLeft() const {
   const bool time_is_left = options_.time_budget_s <= 0.0 || evolved_s_ < options_.time_budget_s;
   return time_is_left && evolution_.counters().evaluations < options_.evaluations;
+}
+
+std::int64_t LearningSession::simulations() const {
+  return (resumed_ ? resumed_->checkpoint.simulations : 0) + evaluator_.simulations();
 }
 
 void LearningSession::lap() {
@@ -185,7 +189,8 @@ bool LearningSession::checkpointIsDue() const {
 void LearningSession::save(const Hooks& hooks) {
   const double begin_s = clock_();
   try {
-    writer_.save(repertoire(), toLearnerState({evolution_.state(), phase_, evolved_s_}));
+    writer_.save(repertoire(),
+                 toLearnerState({evolution_.state(), phase_, evolved_s_, simulations()}));
   } catch (const std::runtime_error& error) {
     if (hooks.save_failed) hooks.save_failed(error.what());
   }
@@ -197,7 +202,9 @@ LearningStatus LearningSession::status() const {
   LearningStatus status;
   status.phase = phase_;
   status.counters = evolution_.counters();
+  status.simulations = simulations();
   status.evaluations_budget = options_.evaluations;
+  status.time_budget_s = options_.time_budget_s;
   status.entries = static_cast<std::int64_t>(evolution_.archive().size());
   status.entries_validated = entries_validated_;
   status.elapsed_s = evolved_s_;
@@ -225,6 +232,7 @@ Repertoire LearningSession::repertoire() const {
   repertoire.behavior_duration_s = static_cast<double>(behaviorParts(options_.behavior).total()) *
                                    options_.behavior.command_period_s;
   repertoire.joint_names = robot_.jointNames();
+  repertoire.facts["simulations"] = std::to_string(simulations());
   repertoire.entries = evolution_.archive().entries();
   for (std::size_t i = 0; i < executions_.size(); ++i)
     repertoire.entries[i].execution = executions_[i];

@@ -8,13 +8,13 @@
 #include <vector>
 
 #include "evolution/br_evolution.h"
+#include "learning/candidate_evaluator.h"
 #include "learning/learn_options.h"
 #include "learning/learning_phase.h"
 #include "learning/resume.h"
 #include "repertoire/repertoire.h"
 #include "repertoire/repertoire_writer.h"
 #include "robot/robot_description.h"
-#include "simulation/behavior_evaluator.h"
 #include "simulation/validation.h"
 
 namespace hexapod {
@@ -23,7 +23,9 @@ namespace hexapod {
 struct LearningStatus {
   LearningPhase phase = LearningPhase::kEvolving;
   EvolutionCounters counters;
+  std::int64_t simulations = 0;  ///< behaviours simulated, in earlier processes as well
   std::int64_t evaluations_budget = 0;
+  double time_budget_s = 0.0;  ///< 0: none
   std::int64_t entries = 0;
   std::int64_t entries_validated = 0;
   double elapsed_s = 0.0;          ///< spent evolving
@@ -85,6 +87,7 @@ class LearningSession {
  private:
   void goOn();
   bool budgetIsLeft() const;
+  std::int64_t simulations() const;
   void lap();
   bool evolve(const Hooks& hooks);
   bool validateEntries(const Hooks& hooks);
@@ -101,7 +104,7 @@ class LearningSession {
   std::optional<Resumed> resumed_;  // the run as it was found
   EngineChoice engine_;
   std::shared_ptr<WorldPool> worlds_;
-  BehaviorEvaluator evaluator_;
+  CandidateEvaluator evaluator_;
   BrEvolution evolution_;
   LearningPhase phase_ = LearningPhase::kEvolving;
   std::vector<HistoryRow> history_;

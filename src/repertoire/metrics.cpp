@@ -12,7 +12,7 @@ std::vector<Ending> learnedEndings(const std::vector<Entry>& entries) {
   std::vector<Ending> endings;
   endings.reserve(entries.size());
   for (const Entry& entry : entries) {
-    endings.push_back({entry.end_pose, entry.orientation_error_rad});
+    endings.push_back({entry.end_pose, orientationError(entry.end_pose)});
   }
   return endings;
 }

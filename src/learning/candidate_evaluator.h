@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "evolution/cached_evaluator.h"
+#include "learning/learn_options.h"
+#include "simulation/behavior_evaluator.h"
+#include "simulation/robust_evaluator.h"
+
+namespace hexapod {
+
+/// The evaluator of a learning run, put together as its options ask: a run from the stand, the
+/// perturbations on top of it, and a cache in front of both.
+class CandidateEvaluator {
+ public:
+  /// The robot's symmetries, none unless twins are offered: without them the paper's algorithm
+  /// runs on simulated outcomes only. Throws std::invalid_argument when options do not fit.
+  CandidateEvaluator(std::shared_ptr<WorldPool> worlds, const LearnOptions& options,
+                     const std::atomic<bool>& cancelled);
+
+  Evaluator& evaluator() { return cached_; }
+  const std::vector<Symmetry>& symmetries() const { return symmetries_; }
+
+  /// Behaviours simulated so far.
+  std::int64_t simulations() const;
+
+ private:
+  std::vector<Symmetry> symmetries_;
+  BehaviorEvaluator nominal_;
+  RobustEvaluator robust_;
+  CachedEvaluator cached_;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,61 @@
+#include <gtest/gtest.h>
+
+#include "learning_fixture.h"
+
+namespace hexapod {
+namespace {
+
+class RobustSession : public LearningFixture {
+ protected:
+  /// Everything beyond the paper at once.
+  LearnOptions robustRun(const std::string& name) const {
+    LearnOptions options = smallRun(name);
+    options.evaluations = 60;
+    options.behavior.gait_duration_s = 0.6;
+    options.evolution.offer_twins = true;
+    options.evolution.archive_parents = 0.5;
+    options.evolution.novelty_refinement = 0.05;
+    options.robustness.perturbed_physics = 2;
+    options.robustness.start_states = 1;
+    return options;
+  }
+};
+
+TEST_F(RobustSession, GoesOnAsIfItHadNeverStopped) {
+  LearnOptions options = robustRun("resumed.db");
+  for (const std::int64_t evaluations : {10, 30, 60}) {
+    options.evaluations = evaluations;
+    options.resume = true;
+    EXPECT_TRUE(learn(options));
+  }
+  const Repertoire resumed = loadRepertoire(options.repertoire_file);
+  const Repertoire whole = undisturbed(robustRun(""));
+  EXPECT_EQ(digestOf(resumed.entries), digestOf(whole.entries));
+}
+
+TEST_F(RobustSession, IsTheSameOnOneAndOnFourThreads) {
+  LearnOptions options = robustRun("threads.db");
+  options.threads = 4;
+  EXPECT_TRUE(learn(options));
+  options.threads = 1;
+  expectSameRun(undisturbed(options), loadRepertoire(options.repertoire_file));
+}
+
+TEST_F(RobustSession, OffersTwinsAndCountsWhatItSimulates) {
+  LearnOptions options = robustRun("");
+  options.behavior.gait_duration_s = 3.0;
+  const Repertoire repertoire = undisturbed(options);
+  std::int64_t twins = 0;
+  for (const Entry& entry : repertoire.entries) twins += entry.id % 4 != 1;
+  EXPECT_GT(twins, 0);
+  const std::int64_t simulations = std::stoll(repertoire.facts.at("simulations"));
+  EXPECT_GT(simulations, 60);
+  EXPECT_LE(simulations, 60 * 4);
+}
+
+TEST_F(RobustSession, OfTheSameRobotIsAnotherRunThanANominalOne) {
+  EXPECT_NE(undisturbed(robustRun("")).run_id, undisturbed(smallRun("")).run_id);
+}
+
+}  // namespace
+}  // namespace hexapod
