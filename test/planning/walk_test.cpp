@@ -1,0 +1,103 @@
+#include "planning/walk.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "arc_repertoire.h"
+
+namespace hexapod {
+namespace {
+
+// Where a robot ends that stands at `before` and plays an entry that says `start_from_end`.
+using Robot = std::function<Pose2(const Pose2& before, const Pose2& start_from_end)>;
+
+class WalkTest : public testing::Test {
+ protected:
+  Walk::Decision walkWith(const Robot& robot, const Pose2& goal, int most_steps = 60) {
+    Walk walk(planner_, goal, GoalTolerance());
+    Pose2 pose;
+    Walk::Decision decision = walk.decide(pose);
+    for (int i = 0; i < most_steps && decision.state == WalkState::kStep; ++i) {
+      const Entry& entry = planner_->repertoire().entries.at(decision.step->entry);
+      pose = robot(pose, entry.expectedPose());
+      decision = walk.decide(pose);
+    }
+    end_ = pose;
+    steps_ = walk.stepsTaken();
+    return decision;
+  }
+
+  std::shared_ptr<AdaptivePlanner> planner_ =
+      std::make_shared<AdaptivePlanner>(arcRepertoire(300, 1), PlannerOptions());
+  Pose2 end_;
+  std::int64_t steps_ = 0;
+};
+
+const Pose2 kGoal{0.8, -0.5, 1.0};
+
+TEST_F(WalkTest, ArrivesWithARobotThatDoesAsTheRepertoireSays) {
+  const auto decision =
+      walkWith([](const Pose2& before, const Pose2& step) { return before * step; }, kGoal);
+  EXPECT_EQ(decision.state, WalkState::kArrived) << decision.message;
+  EXPECT_LE(distance(end_, kGoal), GoalTolerance().xy_m);
+  EXPECT_LE(headingDistance(end_, kGoal), GoalTolerance().yaw_rad);
+  EXPECT_GT(steps_, 0);
+}
+
+TEST_F(WalkTest, ArrivesAtOnceWhenItStandsThere) {
+  const auto decision = walkWith(nullptr, {0.01, 0.0, 0.02});
+  EXPECT_EQ(decision.state, WalkState::kArrived);
+  EXPECT_EQ(steps_, 0);
+}
+
+TEST_F(WalkTest, ArrivesWithARobotThatWalksAThirdTooFarAndTurnsTooMuch) {
+  const auto decision = walkWith(
+      [](const Pose2& before, const Pose2& step) {
+        return before * Pose2{1.3 * step.x_m, 1.3 * step.y_m, step.yaw_rad + 0.17};
+      },
+      {2.0, 1.0, -2.0});
+  EXPECT_EQ(decision.state, WalkState::kArrived) << decision.message;
+}
+
+TEST_F(WalkTest, IsStuckWhenTheRobotDoesNotMoveAndSaysWithWhatNumbers) {
+  const auto decision = walkWith([](const Pose2& before, const Pose2&) { return before; }, kGoal);
+  EXPECT_EQ(decision.state, WalkState::kStuck);
+  EXPECT_LE(steps_, WalkOptions().max_failed_steps);
+  EXPECT_NE(decision.message.find("measured (0.00 m, 0.00 m, 0 deg)"), std::string::npos)
+      << decision.message;
+}
+
+TEST_F(WalkTest, IsStuckWhenTheRobotNeverGetsThere) {
+  // A robot on a band that carries it back by what it gained.
+  int step_number = 0;
+  const auto decision =
+      walkWith([&](const Pose2& before,
+                   const Pose2& step) { return ++step_number % 2 == 1 ? before * step : Pose2(); },
+               kGoal, 1000);
+  EXPECT_EQ(decision.state, WalkState::kStuck) << decision.message;
+}
+
+TEST_F(WalkTest, LosesThePoseWhenItJumpsFartherThanABehaviourLeads) {
+  const auto decision = walkWith(
+      [](const Pose2&, const Pose2&) {
+        return Pose2{7.0, 7.0, 0.0};
+      },
+      kGoal);
+  EXPECT_EQ(decision.state, WalkState::kPoseLost);
+}
+
+TEST_F(WalkTest, TellsWhyThereIsNoPlan) {
+  const auto invalid = walkWith(nullptr, {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
+  EXPECT_EQ(invalid.state, WalkState::kNoPlan);
+  EXPECT_EQ(invalid.plan.code, PlanCode::kInvalidGoal);
+  planner_ = std::make_shared<AdaptivePlanner>(Repertoire(), PlannerOptions());
+  const auto empty = walkWith(nullptr, kGoal);
+  EXPECT_EQ(empty.state, WalkState::kNoPlan);
+  EXPECT_EQ(empty.plan.code, PlanCode::kNoRepertoire);
+  EXPECT_FALSE(empty.message.empty());
+}
+
+}  // namespace
+}  // namespace hexapod
