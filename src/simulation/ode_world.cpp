@@ -21,13 +21,21 @@ namespace {
 
 constexpr int kMaxContactsPerPair = 10;
 
+// A step that dSolveLCP gives up on is tried again with uneven contacts: first this uneven, then
+// ten times as much, and so on.
+constexpr double kLeastUnevenness = 1e-9;
+constexpr int kMostTries = 5;
+
 // ODE ends the process when an error handler returns.
 struct OdeFailure : std::runtime_error {
   OdeFailure() : std::runtime_error("ODE stopped on an internal error") {}
 };
 
 [[noreturn]] void throwFailure(int, const char*, va_list) { throw OdeFailure(); }
-void ignoreMessage(int, const char*, va_list) {}
+
+// dSolveLCP tells nobody but the message handler that it gave up.
+thread_local bool lcp_gave_up = false;
+void noteMessage(int number, const char*, va_list) { lcp_gave_up |= number == d_ERR_LCP; }
 
 class OdeLibrary {
  public:
@@ -43,7 +51,7 @@ class OdeLibrary {
     dInitODE2(0);
     dSetErrorHandler(&throwFailure);
     dSetDebugHandler(&throwFailure);
-    dSetMessageHandler(&ignoreMessage);
+    dSetMessageHandler(&noteMessage);
   }
   ~OdeLibrary() { dCloseODE(); }
 };
@@ -134,8 +142,11 @@ class OdeRobot {
     }
   }
 
-  // Makes this step's contacts with the floor and tells what the present poses are.
-  Verdict touch() {
+  // Makes this step's contacts with the floor and tells what the present poses are. `unevenness`
+  // sets their softness and slip apart by as much of their values, each one from all others.
+  Verdict touch(double unevenness) {
+    unevenness_ = unevenness;
+    uneven_values_ = 0;
     bool fell = !(worldFromBase().translation().z() <= robot_.failure.max_base_height_m);
     for (const OdeShape& shape : base_shapes_) fell |= touchFloor(shape);
     for (const OdeShape& shape : leg_shapes_) touchFloor(shape);
@@ -143,11 +154,14 @@ class OdeRobot {
     return legsTouch() ? Verdict::kSelfCollided : Verdict::kWalked;
   }
 
-  void integrate(double step_s) {
+  // False when dSolveLCP gave up: the bodies have then moved under some of their forces only.
+  bool integrate(double step_s) {
+    lcp_gave_up = false;
     stepping_ = true;  // and stays so when ODE throws
     if (!dWorldStep(world_, step_s)) throw OdeFailure();
     stepping_ = false;
     dJointGroupEmpty(contacts_);
+    return !lcp_gave_up;
   }
 
  private:
@@ -265,11 +279,19 @@ class OdeRobot {
     const int count =
         dCollide(shape.geom, floor_, kMaxContactsPerPair, &touching[0].geom, sizeof(dContact));
     for (int i = 0; i < count; ++i) {
-      touching[i].surface = surface_;
+      touching[i].surface = nextSurface();
       dJointAttach(dJointCreateContact(world_, contacts_, &touching[i]), dGeomGetBody(shape.geom),
                    nullptr);
     }
     return count > 0;
+  }
+
+  dSurfaceParameters nextSurface() {
+    dSurfaceParameters surface = surface_;
+    for (dReal* value : {&surface.soft_cfm, &surface.slip1, &surface.slip2}) {
+      *value *= 1.0 + unevenness_ * ++uneven_values_;
+    }
+    return surface;
   }
 
   bool legsTouch() const {
@@ -304,6 +326,8 @@ class OdeRobot {
   dJointGroupID contacts_ = nullptr;
   dGeomID floor_ = nullptr;
   dSurfaceParameters surface_{};
+  double unevenness_ = 0.0;       // of this step's contacts
+  int uneven_values_ = 0;         // handed out in this step
   std::vector<dBodyID> bodies_;   // base, then segments in joint order
   std::vector<dJointID> hinges_;  // in joint order
   std::vector<OdeShape> base_shapes_;
@@ -383,9 +407,7 @@ Verdict OdeWorld::advance(double step_s) {
   if (diverged_) return Verdict::kDiverged;
   OdeLibrary::prepareThread();
   try {
-    ode_->drive(targets_rad_);
-    const Verdict verdict = ode_->touch();
-    ode_->integrate(step_s);
+    const Verdict verdict = solvedStep(step_s);
     diverged_ = ode_->diverged();
     return diverged_ ? Verdict::kDiverged : verdict;
   } catch (const OdeFailure&) {
@@ -394,6 +416,19 @@ Verdict OdeWorld::advance(double step_s) {
     diverged_ = true;
     return Verdict::kDiverged;
   }
+}
+
+Verdict OdeWorld::solvedStep(double step_s) {
+  const WorldState before = state();
+  double unevenness = 0.0;
+  for (int tries = 0; tries < kMostTries; ++tries) {
+    if (tries > 0) restore(before);
+    ode_->drive(targets_rad_);
+    const Verdict verdict = ode_->touch(unevenness);
+    if (ode_->integrate(step_s)) return verdict;
+    unevenness = tries == 0 ? kLeastUnevenness : 10.0 * unevenness;
+  }
+  throw OdeFailure();
 }
 
 Eigen::Isometry3d OdeWorld::worldFromBase() const { return ode_->worldFromBase(); }

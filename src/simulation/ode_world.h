@@ -26,6 +26,11 @@ class OdeRobot;
 /// set up for each thread that steps, and each world has a threading implementation of its own (the
 /// default one is shared by all worlds and aborts when two threads step). ODE's messages are
 /// silenced for the whole process, its errors become kDiverged.
+///
+/// dSolveLCP gives up when rows reach their bounds at exactly the same time, as those of a
+/// symmetric robot do, and leaves the remaining forces out. Such a step is taken back and repeated
+/// with contacts whose softness and slip differ by 1e-9 of their values, or more if need be
+/// (doc/reduced_dynamics.md); kDiverged when even 1e-6 does not help.
 class OdeWorld : public World {
  public:
   /// Throws std::invalid_argument (physics out of range, a robot without shapes) or
@@ -56,6 +61,7 @@ class OdeWorld : public World {
   void build();
   void settle();
   Verdict advance(double step_s);
+  Verdict solvedStep(double step_s);
 
   RobotDescription description_;
   Physics physics_;
