@@ -1,14 +1,11 @@
 #include "ros_interface/learner.h"
 
-#include <cmath>
-#include <iomanip>
-#include <sstream>
-#include <stdexcept>
 #include <thread>
 
 #include <ros/ros.h>
 
 #include "hexapod_repertoire/LearningProgress.h"
+#include "learning/learning_report.h"
 #include "ros_interface/node_process.h"
 #include "ros_interface/robot_param.h"
 
@@ -108,7 +105,7 @@ void Learner::progress() {
   const bool done = status.phase == LearningPhase::kDone;
   if (due(told_, kTellPeriod_s) || done) {
     publishProgress(status);
-    log(status);
+    ROS_INFO_STREAM(describe(status));
   }
   const bool evolving = status.phase == LearningPhase::kEvolving;
   if (done || (evolving && due(published_, options_.publish_period_s))) {
@@ -135,26 +132,6 @@ void Learner::publishProgress(const LearningStatus& status) {
   message.self_collided = status.counters.self_collided;
   message.diverged = status.counters.diverged;
   progress_publisher_.publish(message);
-}
-
-void Learner::log(const LearningStatus& status) const {
-  std::ostringstream line;
-  line << std::fixed << std::setprecision(0);
-  if (status.phase == LearningPhase::kValidating) {
-    line << "Validating: " << status.entries_validated << " of " << status.entries << " entries.";
-  } else {
-    line << (status.phase == LearningPhase::kDone ? "Done: " : "Learning: ")
-         << status.counters.evaluations << " of " << status.evaluations_budget << " evaluations, "
-         << status.evaluations_per_s << "/s, " << status.eta_s << " s left, " << status.entries
-         << " entries";
-    if (status.last.evaluations > 0) {
-      line << std::setprecision(2) << ", sparseness " << 100.0 * status.last.sparseness_m
-           << " cm, orientation error " << status.last.median_orientation_error_rad * 180.0 / M_PI
-           << " deg";
-    }
-    line << ".";
-  }
-  ROS_INFO_STREAM(line.str());
 }
 
 }  // namespace hexapod

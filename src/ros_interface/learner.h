@@ -42,7 +42,6 @@ class Learner {
 
   void progress();
   void publishProgress(const LearningStatus& status);
-  void log(const LearningStatus& status) const;
 
   LearnerOptions options_;
   LearningSession session_;

@@ -1,0 +1,142 @@
+#include "tools/bench_agreement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <memory>
+#include <set>
+#include <sstream>
+
+#include "evolution/br_evolution.h"
+#include "geometry/pose2.h"
+#include "simulation/behavior_evaluator.h"
+#include "simulation/rollout.h"
+
+namespace hexapod {
+
+const char* const kAgreementHeading =
+    "| robot, step | controllers | failed in ODE | verdicts differ | end pose: median | 99 % | "
+    "99.9 % | largest | heading: median | 99 % | 99.9 % | largest |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+
+namespace {
+
+constexpr std::size_t kAtOnce = 500;
+
+/// Passes candidates on and remembers them.
+class Recorder : public Evaluator {
+ public:
+  explicit Recorder(Evaluator& evaluator) : evaluator_(&evaluator) {}
+
+  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
+    for (const Genome& genome : genomes) asked_.push_back(canonical(genome));
+    return evaluator_->evaluate(genomes);
+  }
+
+  const std::vector<Genome>& asked() const { return asked_; }
+
+ private:
+  Evaluator* evaluator_;
+  std::vector<Genome> asked_;
+};
+
+std::vector<Genome> evolvedCandidates(const BenchCase& bench_case, std::size_t count,
+                                      std::uint64_t seed, int threads) {
+  BehaviorEvaluator evaluator(
+      std::make_shared<WorldPool>(Engine::kReduced, bench_case.robot, bench_case.physics, threads),
+      BehaviorOptions());
+  Recorder recorder(evaluator);
+  BrEvolution evolution(EvolutionOptions(), bench_case.robot.geneCount(), recorder, Random(seed));
+  while (recorder.asked().size() < 2 * count + 2000) evolution.step();
+  return {recorder.asked().rbegin(), recorder.asked().rend()};
+}
+
+struct End {
+  Verdict verdict = Verdict::kDiverged;
+  Pose2 pose;  // not rounded as Outcome's is
+};
+
+std::vector<End> playAll(WorldPool& pool, const std::vector<Genome>& genomes) {
+  const BehaviorOptions options;
+  std::vector<End> ends(genomes.size());
+  pool.forEach(genomes.size(), [&](World& world, std::size_t i) {
+    world.restart();
+    const Behavior behavior(world.robot(), genomes[i], options);
+    ends[i].verdict = play(world, behavior, options.command_period_s).verdict;
+    ends[i].pose = footprint(world.worldFromBase());
+  });
+  return ends;
+}
+
+void add(const Genome& genome, const End& ode, const End& reduced, Agreement& agreement) {
+  ++agreement.compared;
+  agreement.failed += ode.verdict != Verdict::kWalked;
+  if (ode.verdict != reduced.verdict) {
+    agreement.verdicts.push_back(toString(genome) + ": " + toString(ode.verdict) + " in ODE, " +
+                                 toString(reduced.verdict) + " in reduced");
+  } else if (ode.verdict == Verdict::kWalked) {
+    agreement.apart_m.push_back(distance(ode.pose, reduced.pose));
+    agreement.apart_rad.push_back(headingDistance(ode.pose, reduced.pose));
+  }
+}
+
+/// The median, 99 %, 99.9 % and the largest of ascending values, in thousandths.
+void writeDistribution(std::ostream& row, const std::vector<double>& values, const char* unit) {
+  for (const double share : {0.5, 0.99, 0.999, 1.0}) {
+    if (values.empty()) {
+      row << " | -";
+      continue;
+    }
+    const auto rank = static_cast<std::size_t>(std::ceil(share * values.size()));
+    row << " | " << 1000.0 * values[std::max<std::size_t>(rank, 1) - 1] << unit;
+  }
+}
+
+}  // namespace
+
+std::vector<Genome> mixedControllers(const BenchCase& bench_case, std::size_t count,
+                                     std::uint64_t seed, int threads) {
+  std::vector<Genome> genomes;
+  std::set<Genome> known;
+  const auto take = [&](const std::vector<Genome>& from, std::size_t until) {
+    for (const Genome& genome : from) {
+      if (genomes.size() < until && known.insert(genome).second) genomes.push_back(genome);
+    }
+  };
+  take(evolvedCandidates(bench_case, count / 2, seed, threads), count / 2);
+  take(randomGenomes(2 * count, bench_case.robot.geneCount(), seed), count);
+  return genomes;
+}
+
+Agreement compareEngines(const BenchCase& bench_case, const std::vector<Genome>& genomes,
+                         int threads, const AgreementProgress& progress) {
+  WorldPool ode(Engine::kOde, bench_case.robot, bench_case.physics, threads);
+  WorldPool reduced(Engine::kReduced, bench_case.robot, bench_case.physics, threads);
+  Agreement agreement;
+  // Every part is as mixed as the whole.
+  const std::size_t parts = (genomes.size() + kAtOnce - 1) / kAtOnce;
+  for (std::size_t part = 0; part < parts; ++part) {
+    std::vector<Genome> some;
+    for (std::size_t i = part; i < genomes.size(); i += parts) some.push_back(genomes[i]);
+    const std::vector<End> expected = playAll(ode, some), found = playAll(reduced, some);
+    for (std::size_t i = 0; i < some.size(); ++i) add(some[i], expected[i], found[i], agreement);
+    std::sort(agreement.apart_m.begin(), agreement.apart_m.end());
+    std::sort(agreement.apart_rad.begin(), agreement.apart_rad.end());
+    if (progress) progress(agreement);
+  }
+  return agreement;
+}
+
+std::string describe(const std::string& name, const Agreement& agreement) {
+  std::ostringstream row;
+  row.imbue(std::locale::classic());
+  row << "| " << name << " | " << agreement.compared << " | " << agreement.failed << " | "
+      << agreement.verdicts.size() << std::setprecision(2);
+  writeDistribution(row, agreement.apart_m, " mm");
+  writeDistribution(row, agreement.apart_rad, " mrad");
+  row << " |\n";
+  return row.str();
+}
+
+}  // namespace hexapod

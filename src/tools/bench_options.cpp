@@ -1,0 +1,47 @@
+#include "tools/bench_options.h"
+
+#include <map>
+#include <stdexcept>
+
+namespace hexapod {
+
+std::vector<Option> declareOptions(BenchOptions& options) {
+  return {option("help", options.help, "Print this text."),
+          option("agreement", options.agreement,
+                 "Instead of speed, compare where both engines end: this many controllers with the "
+                 "shipped robot at 15 ms, a tenth of it in each other case.",
+                 0, 1000000),
+          option("seed", options.seed, "Seed of the controllers.", 0, 1000000000),
+          option("threads", options.threads, "Threads that compare; 0: all cores.", 0, 1024),
+          option("seconds_per_case", options.seconds_per_case, "s",
+                 "Processor time for the speed of each robot and step.", 0.1, 3600.0)};
+}
+
+BenchOptions benchOptionsFrom(const std::vector<std::string>& arguments) {
+  std::map<std::string, OptionValue> values;
+  for (std::size_t i = 0; i < arguments.size(); ++i) {
+    const std::string& word = arguments[i];
+    if (word.rfind("--", 0) != 0) {
+      throw std::invalid_argument("command line: '" + word +
+                                  "' is no option; expected --name value, e.g. --seed 3.");
+    }
+    const bool is_flag = i + 1 == arguments.size() || arguments[i + 1].rfind("--", 0) == 0;
+    values[word.substr(2)] = is_flag ? OptionValue(true) : optionValueFromText(arguments[++i]);
+  }
+  BenchOptions options;
+  applyOptions(declareOptions(options), values, "command line");
+  return options;
+}
+
+std::string benchHelp() {
+  BenchOptions options;
+  return "usage: bench [--name value ...]\n\n"
+         "Measures the engines of the simulation against ODE, in one run: speed on one and two\n"
+         "threads, evolution's own share, memory; or with --agreement where they end. About a\n"
+         "minute on an idle machine; the ratios hold on a busy one as well.\n\n"
+         "  bench\n"
+         "  bench --agreement 10000\n\n" +
+         describeOptions(declareOptions(options));
+}
+
+}  // namespace hexapod

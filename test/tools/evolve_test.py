@@ -1,0 +1,97 @@
+"""The program evolve, from outside."""
+import os
+import signal
+import subprocess
+
+import pytest
+
+import kill_resume
+
+EVOLVE = os.environ.get("EVOLVE", "")
+SMALL = ["--population_size", "20", "--validation_trials", "2"]
+ENDLESS = ["--evaluations", "100000000", "--progress_period_s", "0.0", *SMALL]
+HANGS_S = 60
+
+pytestmark = pytest.mark.skipif(not EVOLVE, reason="EVOLVE does not name the program")
+
+
+def evolve(*options):
+    """Runs the program to its end."""
+    return subprocess.run([EVOLVE, *map(str, options)], stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, universal_newlines=True, timeout=HANGS_S,
+                          check=False)
+
+
+@pytest.fixture(name="endless")
+def fixture_endless(tmp_path):
+    """A run without end into tmp_path/a.db that has finished its first generations."""
+    with subprocess.Popen([EVOLVE, "--file", str(tmp_path / "a.db"), *ENDLESS],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                          universal_newlines=True) as process:
+        for line in process.stdout:
+            if line.startswith("Learning: 6"):
+                break
+        yield process
+        process.kill()
+
+
+def test_killed_at_random_instants_it_ends_with_the_entries_of_an_undisturbed_run(tmp_path):
+    plan = kill_resume.Plan(EVOLVE, tmp_path, evaluations=600, kills=8, most_lines=6, delay_s=0.0,
+                            seed=1, options=SMALL)
+    outcome = kill_resume.disturb(plan)
+    assert outcome.kills == 8
+    assert outcome.entries > 10
+    assert outcome.equal
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+def test_a_signal_ends_it_in_order_and_resumable(endless, tmp_path, number):
+    endless.send_signal(number)
+    out, err = endless.communicate(timeout=HANGS_S)
+    assert endless.returncode == 0, err
+    assert "Stopped and saved" in out
+    again = evolve("--file", tmp_path / "a.db", "--resume", "--evaluations", 1, *SMALL)
+    assert again.returncode == 2
+    assert "evaluations: " in again.stderr
+
+
+def test_stopped_for_a_while_it_goes_on(endless):
+    endless.send_signal(signal.SIGSTOP)
+    endless.send_signal(signal.SIGCONT)
+    assert endless.stdout.readline().startswith("Learning: ")
+
+
+def test_a_second_learner_is_refused_naming_the_first(endless, tmp_path):
+    second = evolve("--file", tmp_path / "a.db", "--resume", *SMALL)
+    assert second.returncode == 1
+    assert f"process {endless.pid} " in second.stderr
+
+
+def test_goes_on_when_nobody_reads_what_it_prints(tmp_path):
+    with subprocess.Popen([EVOLVE, "--file", str(tmp_path / "a.db"), "--evaluations", "200",
+                           "--progress_period_s", "0.0", *SMALL],
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE) as process:
+        process.stdout.close()
+        assert process.wait(timeout=HANGS_S) == 0
+
+
+def test_exports_the_entries(tmp_path):
+    result = evolve("--file", tmp_path / "a.db", "--csv", tmp_path / "a.csv", "--evaluations", 200,
+                    *SMALL)
+    assert result.returncode == 0, result.stderr
+    lines = (tmp_path / "a.csv").read_text().splitlines()
+    assert len(lines) == 1 + len(kill_resume.entries(tmp_path / "a.db"))
+
+
+def test_help_has_a_line_for_every_option():
+    result = evolve("--help")
+    assert result.returncode == 0
+    for name in ("seed", "resume", "csv", "novelty_threshold_m", "gait_duration_s"):
+        assert f"`{name}`" in result.stdout
+
+
+def test_an_unknown_option_is_refused_with_the_nearest_name(tmp_path):
+    result = evolve("--file", tmp_path / "a.db", "--evalutions", 100)
+    assert result.returncode == 2
+    assert "evaluations" in result.stderr
+    assert not (tmp_path / "a.db").exists()
