@@ -1,5 +1,6 @@
 #include "gait/gait.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -26,16 +27,20 @@ Gait::Gait(const RobotDescription& robot, const Genome& genome)
       const std::size_t gene =
           kGenesPerLeg * leg + (segment.joint.signal == Signal::kFirst ? 0 : 2);
       amplitudes_.push_back(geneValue(genome[gene]));
-      phases_.push_back(geneValue(genome[gene + 1]));
+      phase_levels_.push_back(genome[gene + 1]);
     }
   }
 }
 
 void Gait::angles(double time_s, std::vector<double>& angles_rad) const {
+  std::array<double, kGeneLevels> signals;  // at full amplitude, of each phase level
+  for (std::uint8_t level = 0; level < kGeneLevels; ++level) {
+    signals[level] = gaitSignal(time_s, 1.0, geneValue(level));
+  }
   angles_rad.resize(joints_.size());
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    angles_rad[j] = joints_[j]->neutral_rad +
-                    joints_[j]->amplitude_rad * gaitSignal(time_s, amplitudes_[j], phases_[j]);
+    const double signal = amplitudes_[j] * signals[phase_levels_[j]];
+    angles_rad[j] = joints_[j]->neutral_rad + joints_[j]->amplitude_rad * signal;
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "gait/genome.h"
@@ -31,7 +32,7 @@ class Gait {
   const RobotDescription* robot_;
   std::vector<const Joint*> joints_;
   std::vector<double> amplitudes_;  // of gamma, per joint
-  std::vector<double> phases_;
+  std::vector<std::uint8_t> phase_levels_;
 };
 
 }  // namespace hexapod
