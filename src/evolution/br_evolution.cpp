@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "evolution/breeder.h"
 namespace hexapod {
 namespace {
 
@@ -19,27 +20,6 @@ Outcome checked(const Outcome& outcome) {
   const bool usable = isFinite(outcome.end_pose) && std::isfinite(outcome.orientation_error_rad) &&
                       outcome.orientation_error_rad >= 0.0;
   return usable ? outcome : Outcome{};
-}
-
-Entry entryOf(const Individual& individual) {
-  Entry entry;
-  entry.id = individual.id;
-  entry.genome = individual.genome;
-  entry.end_pose = individual.outcome.end_pose;
-  entry.orientation_error_rad = individual.outcome.orientation_error_rad;
-  entry.evaluation = individual.evaluation;
-  return entry;
-}
-
-Individual individualOf(const Entry& entry) {
-  Individual individual;
-  individual.id = entry.id;
-  individual.evaluation = entry.evaluation;
-  individual.genotype = entry.genome;
-  individual.genome = entry.genome;
-  individual.outcome = {Verdict::kWalked, entry.end_pose, entry.orientation_error_rad};
-  individual.looked_twice = true;
-  return individual;
 }
 
 void requireOneEach(const std::vector<Outcome>& outcomes, const std::vector<Genome>& genomes) {
@@ -120,52 +100,18 @@ EvolutionState BrEvolution::state() const {
   return {random_, next_id_, counters_, novelty_threshold_m_, population_, archive_.entries()};
 }
 
-Genome BrEvolution::randomGenotype(Random& random) const {
-  Genome genotype(gene_count_);
-  for (auto& level : genotype) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return genotype;
-}
-
-Genome BrEvolution::mutated(const Genome& parent, Random& random) const {
-  Genome child = parent;
-  for (auto& level : child) {
-    if (!random.chance(options_.mutation_rate)) continue;
-    level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  }
-  return child;
-}
-
 std::vector<Individual> BrEvolution::nextCandidates(std::size_t count, Random& random) const {
-  std::vector<Standing> standings;
-  standings.reserve(population_.size());
-  for (const Individual& individual : population_) standings.push_back(individual.standing);
-  const std::vector<const Entry*> elders = archiveParents();
+  const Breeder breeder(options_, gene_count_, population_, archive_);
   std::vector<Individual> candidates(count);
   for (std::size_t i = 0; i < count; ++i) {
     Individual& candidate = candidates[i];
     // The ids in between are for its twins.
     candidate.id = next_id_ + static_cast<std::int64_t>(i * (1 + symmetries_.size()));
     candidate.evaluation = counters_.evaluations + static_cast<std::int64_t>(i) + 1;
-    if (population_.empty()) {
-      candidate.genotype = randomGenotype(random);
-    } else if (!elders.empty() && random.chance(options_.archive_parents)) {
-      candidate.genotype = mutated(elders[random.below(elders.size())]->genome, random);
-    } else {
-      candidate.genotype = mutated(population_[tournament(standings, random)].genotype, random);
-    }
+    candidate.genotype = breeder.next(random);
     candidate.genome = canonical(candidate.genotype);
   }
   return candidates;
-}
-
-std::vector<const Entry*> BrEvolution::archiveParents() const {
-  std::vector<const Entry*> entries;
-  if (options_.archive_parents <= 0.0) return entries;
-  for (const Entry& entry : archive_.entries()) entries.push_back(&entry);
-  // A resumed archive may have another order.
-  std::sort(entries.begin(), entries.end(),
-            [](const Entry* a, const Entry* b) { return a->id < b->id; });
-  return entries;
 }
 
 void BrEvolution::evaluate(std::vector<Individual>& candidates) const {

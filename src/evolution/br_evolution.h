@@ -77,11 +77,8 @@ class BrEvolution {
   EvolutionState state() const;
 
  private:
-  Genome randomGenotype(Random& random) const;
-  Genome mutated(const Genome& parent, Random& random) const;
   std::vector<Individual> nextCandidates(std::size_t count, Random& random) const;
   void evaluate(std::vector<Individual>& candidates) const;
-  std::vector<const Entry*> archiveParents() const;
   std::vector<std::size_t> lookAgain(std::vector<Individual>& pool) const;
   bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
   std::vector<Individual> twins(const Individual& individual) const;

@@ -22,6 +22,12 @@ struct Individual {
   bool looked_twice = false;  ///< the outcome is final (see Evaluator)
 };
 
+/// The entry an individual that walked makes.
+Entry entryOf(const Individual& individual);
+
+/// The individual an entry goes on as in the population; its standing is yet to be found.
+Individual individualOf(const Entry& entry);
+
 /// What has happened in a run so far.
 struct EvolutionCounters {
   std::int64_t generations = 0;

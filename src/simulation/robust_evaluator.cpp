@@ -45,7 +45,12 @@ RobustEvaluator::RobustEvaluator(Evaluator& nominal, std::shared_ptr<WorldPool> 
               behavior.command_period_s) {}
 
 std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genomes) {
-  return nominal_->evaluate(genomes);
+  std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
+  if (!looksTwice()) return outcomes;
+  for (Outcome& outcome : outcomes) {
+    if (outcome.walked()) outcome.orientation_error_rad += options_.first_look_handicap_rad;
+  }
+  return outcomes;
 }
 
 std::vector<Outcome> RobustEvaluator::lookAgain(const std::vector<Genome>& genomes,
@@ -67,6 +72,7 @@ std::vector<Outcome> RobustEvaluator::lookAgain(const std::vector<Genome>& genom
   std::vector<Outcome> outcomes;
   for (std::size_t i = 0; i < genomes.size(); ++i) {
     std::vector<Outcome> all = {first[i]};
+    all[0].orientation_error_rad -= options_.first_look_handicap_rad;
     for (std::size_t k = i * each; k < (i + 1) * each; ++k) all.push_back(results[k].outcome);
     outcomes.push_back(whole(all));
   }

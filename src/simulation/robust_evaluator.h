@@ -13,7 +13,8 @@ namespace hexapod {
 
 /// Evaluates genomes as they are executed: not only from a perfect start in one world.
 ///
-/// The first look is another evaluator's: one run under nominal conditions. The second look adds
+/// The first look is another evaluator's: one run under nominal conditions, with
+/// first_look_handicap_rad on top of its orientation error. The second look adds
 /// runs under perturbed physics and runs that start after other behaviours, and gives the whole:
 /// the mean end pose of all runs, and as orientation error the mean of theirs plus
 /// spread_weight_rad_per_m times the spread of the end positions. Any failure is a failure.

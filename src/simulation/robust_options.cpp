@@ -39,6 +39,11 @@ std::vector<Option> declareOptions(RobustnessOptions& options) {
              "What a metre of spread of the end positions over these runs counts in the "
              "orientation error that candidates compete with.",
              0.0, 1000.0),
+      option(
+          "first_look_handicap_rad", options.first_look_handicap_rad, "rad",
+          "Added to the orientation error of a candidate that was tried under nominal conditions "
+          "only: the larger, the fewer are tried under the others.",
+          0.0, 1.0),
       option("friction_variation", options.friction_variation, "",
              "Friction under perturbed physics: 1 -+ this times the nominal.", 0.0, 0.9),
       option("mass_variation", options.mass_variation, "",

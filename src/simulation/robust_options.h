@@ -14,6 +14,9 @@ struct RobustnessOptions {
   std::int64_t start_states = 0;       ///< runs after other behaviours, nominal physics, 0 .. 100
   /// What a metre of spread counts as orientation error [rad/m].
   double spread_weight_rad_per_m = 4.0;
+  /// Added to the orientation error of a first look, for what perturbations will add at least
+  /// [rad].
+  double first_look_handicap_rad = 0.0;
   // How far the perturbed physics reach: factors are drawn from 1 -+ variation.
   double friction_variation = 0.25;
   double mass_variation = 0.10;

@@ -18,15 +18,6 @@ Genome randomGenome(Random& random) {
   return canonical(genome);
 }
 
-Entry entryOf(const Individual& individual) {
-  Entry entry;
-  entry.id = individual.id;
-  entry.genome = individual.genome;
-  entry.end_pose = individual.outcome.end_pose;
-  entry.orientation_error_rad = individual.outcome.orientation_error_rad;
-  return entry;
-}
-
 /// eq. 1 and 2 over the set of controllers, without any index.
 Objectives byDefinition(const Individual& self, const std::vector<Entry>& archive,
                         const std::vector<Individual>& pool, std::size_t neighbours) {

@@ -160,6 +160,19 @@ TEST(RobustEvaluator, CountsItsRunsAndLetsAnyFailureDecide) {
   EXPECT_EQ(robust.simulations(), 8);
 }
 
+TEST(RobustEvaluator, HandicapsFirstLooksButNotSecondOnes) {
+  const auto worlds = pool();
+  RobustnessOptions options = fewRuns();
+  const auto genomes = randomGenomes(worlds->robot(), 3, 4);
+  const auto fair = looks(worlds, genomes, options);
+  options.first_look_handicap_rad = 0.1;
+  expectNear(looks(worlds, genomes, options), fair, 1e-9);
+  BehaviorEvaluator nominal(worlds, shortBehavior());
+  RobustEvaluator robust(nominal, worlds, shortBehavior(), options, 1);
+  EXPECT_NEAR(robust.evaluate(genomes)[0].orientation_error_rad,
+              nominal.evaluate(genomes)[0].orientation_error_rad + 0.1, 1e-9);
+}
+
 TEST(RobustEvaluator, GivesUpWhenCancelled) {
   const auto worlds = pool();
   std::atomic<bool> cancelled{false};

@@ -1,0 +1,44 @@
+#include "evolution/breeder.h"
+
+#include <algorithm>
+
+namespace hexapod {
+
+Breeder::Breeder(const EvolutionOptions& options, std::size_t gene_count,
+                 const std::vector<Individual>& population, const Archive& archive)
+    : mutation_rate_(options.mutation_rate),
+      archive_parents_(options.archive_parents),
+      gene_count_(gene_count),
+      population_(population) {
+  standings_.reserve(population.size());
+  for (const Individual& individual : population) standings_.push_back(individual.standing);
+  if (archive_parents_ <= 0.0) return;
+  for (const Entry& entry : archive.entries()) entries_.push_back(&entry);
+  std::sort(entries_.begin(), entries_.end(),
+            [](const Entry* a, const Entry* b) { return a->id < b->id; });
+}
+
+Genome Breeder::next(Random& random) const {
+  if (!population_.empty()) return mutated(parent(random), random);
+  Genome genotype(gene_count_);
+  for (auto& level : genotype) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
+  return genotype;
+}
+
+const Genome& Breeder::parent(Random& random) const {
+  if (!entries_.empty() && random.chance(archive_parents_)) {
+    return entries_[random.below(entries_.size())]->genome;
+  }
+  return population_[tournament(standings_, random)].genotype;
+}
+
+Genome Breeder::mutated(const Genome& genotype, Random& random) const {
+  Genome child = genotype;
+  for (auto& level : child) {
+    if (!random.chance(mutation_rate_)) continue;
+    level = static_cast<std::uint8_t>(random.below(kGeneLevels));
+  }
+  return child;
+}
+
+}  // namespace hexapod

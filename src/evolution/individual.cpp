@@ -1,0 +1,26 @@
+#include "evolution/individual.h"
+
+namespace hexapod {
+
+Entry entryOf(const Individual& individual) {
+  Entry entry;
+  entry.id = individual.id;
+  entry.genome = individual.genome;
+  entry.end_pose = individual.outcome.end_pose;
+  entry.orientation_error_rad = individual.outcome.orientation_error_rad;
+  entry.evaluation = individual.evaluation;
+  return entry;
+}
+
+Individual individualOf(const Entry& entry) {
+  Individual individual;
+  individual.id = entry.id;
+  individual.evaluation = entry.evaluation;
+  individual.genotype = entry.genome;
+  individual.genome = entry.genome;
+  individual.outcome = {Verdict::kWalked, entry.end_pose, entry.orientation_error_rad};
+  individual.looked_twice = true;
+  return individual;
+}
+
+}  // namespace hexapod
