@@ -54,7 +54,8 @@ def names_of(functions):
 def test_help_names_every_verb(arguments):
     result = run(ROOT, *arguments)
     assert result.returncode == 0
-    for verb in ("demo", "learn", "evolve", "walk", "view", "test", "setup", "help"):
+    for verb in ("demo", "learn", "evolve", "walk", "view", "test", "bench", "setup",
+                 "help"):
         assert f"\n  {verb} " in result.stdout
 
 
@@ -65,7 +66,7 @@ def test_unknown_verb_is_refused_with_the_help():
     assert result.stdout == ""
 
 
-@pytest.mark.parametrize("verb", ["setup", "demo", "evolve", "test"])
+@pytest.mark.parametrize("verb", ["setup", "demo", "evolve", "test", "bench"])
 def test_without_root_it_prints_the_one_line_to_ask_for(checkout, verb):
     result = run(checkout, verb, functions=NOTHING_INSTALLED + NO_ROOT)
     assert result.returncode == 1
