@@ -15,14 +15,15 @@ constexpr double kCancelTimeout = 5.0;
 
 BehaviorClient::BehaviorClient(ros::NodeHandle& node) : client_(node, "execute", true) {}
 
-BehaviorClient::Result BehaviorClient::play(std::int64_t entry_id, const std::string& run_id,
+BehaviorClient::Result BehaviorClient::play(const Entry& entry, const std::string& run_id,
                                             double longest_s,
                                             const std::function<bool()>& cancelled) {
   if (!client_.waitForServer(ros::Duration(kServerTimeout))) {
     return {End::kFault, "No executor answers on the action execute; start the executor node.", {}};
   }
   hexapod_repertoire::ExecuteBehaviorGoal goal;
-  goal.entry_id = entry_id;
+  goal.entry_id = entry.id;
+  goal.genome = entry.genome;
   goal.run_id = run_id;
   // An executor that is still standing up, or returning to the neutral pose, is ready soon.
   const ros::Time patience = ros::Time::now() + ros::Duration(kReadyTimeout);

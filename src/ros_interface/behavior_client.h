@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hexapod_repertoire/ExecuteBehaviorAction.h"
+#include "repertoire/entry.h"
 
 namespace hexapod {
 
@@ -27,7 +28,7 @@ class BehaviorClient {
   /// off. An executor that is not ready is asked again for some seconds (then kNotReady). Gives up
   /// with kFault when the executor is not there, refuses, or takes longer than `longest_s`. Called
   /// from one thread.
-  Result play(std::int64_t entry_id, const std::string& run_id, double longest_s,
+  Result play(const Entry& entry, const std::string& run_id, double longest_s,
               const std::function<bool()>& cancelled);
 
  private:

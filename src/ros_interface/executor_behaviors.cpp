@@ -83,7 +83,9 @@ std::shared_ptr<const Behavior> ExecutorBehaviors::find(
               run_id_ + "'.";
   } else {
     const auto found = genomes_.find(goal.entry_id);
-    if (found == genomes_.end()) {
+    if (found == genomes_.end() && !genome.empty()) {
+      problem = checkGenome(genome);  // of another state of a growing repertoire
+    } else if (found == genomes_.end()) {
       problem = "Entry " + std::to_string(goal.entry_id) + " is not in the repertoire of run '" +
                 run_id_ + "' (" + std::to_string(genomes_.size()) + " entries).";
     } else {

@@ -1,10 +1,10 @@
 #include "ros_interface/walk_interfaces.h"
 
+#include <ros/console.h>
+
 #include <cmath>
 #include <future>
 #include <sstream>
-
-#include <ros/console.h>
 
 #include "ros_interface/conversions.h"
 
@@ -46,8 +46,8 @@ GoalTolerance toleranceOf(double xy_m, double yaw_rad, const GoalTolerance& stan
 
 }  // namespace
 
-WalkInterfaces::WalkInterfaces(ros::NodeHandle& node, ros::NodeHandle& private_node,
-                               Walker& walker, const PlannerNodeOptions& options)
+WalkInterfaces::WalkInterfaces(ros::NodeHandle& node, ros::NodeHandle& private_node, Walker& walker,
+                               const PlannerNodeOptions& options)
     : walker_(walker),
       options_(options),
       action_(
@@ -93,8 +93,8 @@ WalkReport WalkInterfaces::examine(const Asked& asked, WalkGoal& goal) const {
 bool WalkInterfaces::goTo(hexapod_repertoire::GoTo::Request& request,
                           hexapod_repertoire::GoTo::Response& response) {
   WalkGoal goal;
-  WalkReport report = examine(
-      {request.target_pose, request.xy_tolerance_m, request.yaw_tolerance_rad}, goal);
+  WalkReport report =
+      examine({request.target_pose, request.xy_tolerance_m, request.yaw_tolerance_rad}, goal);
   response.plan = report.plan;
   response.accepted = report.code == Code::SUCCEEDED;
   if (response.accepted) {
@@ -134,7 +134,8 @@ bool WalkInterfaces::makePlan(nav_msgs::GetPlan::Request& request,
 
 bool WalkInterfaces::cancel(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   response.success = walker_.cancel();
-  response.message = response.success ? "The walk is being broken off." : "There is no walk to cancel.";
+  response.message =
+      response.success ? "The walk is being broken off." : "There is no walk to cancel.";
   return true;
 }
 
@@ -184,8 +185,6 @@ void WalkInterfaces::actionGoal(WalkHandle handle) {
   walker_.submit(goal);
 }
 
-void WalkInterfaces::actionCancel(WalkHandle handle) {
-  walker_.cancel(handle.getGoalID().id);
-}
+void WalkInterfaces::actionCancel(WalkHandle handle) { walker_.cancel(handle.getGoalID().id); }
 
 }  // namespace hexapod

@@ -1,8 +1,8 @@
 #include "ros_interface/walker.h"
 
-#include <algorithm>
-
 #include <ros/console.h>
+
+#include <algorithm>
 
 #include "hexapod_repertoire/StepReport.h"
 #include "planning/path.h"
@@ -251,7 +251,9 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
 
     if (interrupted() || superseded()) {
       report.code = Code::PREEMPTED;
-      report.message = cancel_ ? "Cancelled." : shutdown_ ? "Shutting down." : "A newer goal took over.";
+      report.message = cancel_     ? "Cancelled."
+                       : shutdown_ ? "Shutting down."
+                                   : "A newer goal took over.";
       return report;
     }
     const Walk::Decision decision = walk.decide(*robot.pose, [this] { return interrupted(); });
@@ -264,15 +266,14 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
     }
     if (goal.progress) {
       goal.progress(report.final_pose, report.steps,
-                        report.steps + static_cast<std::uint32_t>(decision.plan.steps.size()),
-                        report.final_xy_error_m);
+                    report.steps + static_cast<std::uint32_t>(decision.plan.steps.size()),
+                    report.final_xy_error_m);
     }
-    const auto result =
-        executor_.play(decision.step->id, planner->repertoire().run_id,
-                       planner->repertoire().behavior_duration_s + kBehaviorGrace_s,
-                       [this] { return interrupted(); });
-    if (result.end == BehaviorClient::End::kFault ||
-        result.end == BehaviorClient::End::kNotReady) {
+    const auto result = executor_.play(planner->repertoire().entries.at(decision.step->entry),
+                                       planner->repertoire().run_id,
+                                       planner->repertoire().behavior_duration_s + kBehaviorGrace_s,
+                                       [this] { return interrupted(); });
+    if (result.end == BehaviorClient::End::kFault || result.end == BehaviorClient::End::kNotReady) {
       report.code = Code::EXECUTOR_FAULT;
       report.message = "The executor stopped the walk: " + result.message;
       return report;
