@@ -42,7 +42,9 @@ void measureSpeed(const std::vector<BenchCase>& cases, const BenchOptions& optio
     std::cout << describe(one.name, speed) << std::flush;
   }
   std::cout << "\n" << kThreadsHeading << std::flush;
-  std::cout << describe(measureThreads(cases[0], options.seconds_per_case)) << std::flush;
+  std::cout << describe(measureThreads(cases[0], options.seconds_per_case,
+                                       static_cast<std::uint64_t>(options.seed)))
+            << std::flush;
   std::cout << "\n" << kEvolutionHeading << std::flush;
   for (const std::size_t archive : {500, 5000, 50000}) {
     std::cout << describe(measureGeneration(archive, cases[0].robot.geneCount()), batched_s)

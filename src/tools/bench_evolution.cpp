@@ -1,0 +1,92 @@
+#include "tools/bench_evolution.h"
+
+#include <cmath>
+#include <iomanip>
+#include <locale>
+#include <sstream>
+#include <vector>
+
+#include "evolution/br_evolution.h"
+#include "tools/bench_cases.h"
+#include "tools/bench_machine.h"
+
+namespace hexapod {
+
+const char* const kEvolutionHeading =
+    "| archive | evolution, ms per generation | its share beside 100 evaluations | peak memory so "
+    "far |\n"
+    "|---|---|---|---|\n";
+
+namespace {
+
+constexpr double kReach_m = 0.9;
+constexpr double kMeasuringTime_s = 1.0;
+
+Outcome anywhere(Random& random) {
+  const double radius_m = kReach_m * std::sqrt(random.uniform());
+  const double direction_rad = random.uniform(-M_PI, M_PI);
+  return walkedTo({radius_m * std::cos(direction_rad), radius_m * std::sin(direction_rad),
+                   random.uniform(-M_PI, M_PI)});
+}
+
+/// Ends anywhere on the disc, at no cost.
+class Lottery : public Evaluator {
+ public:
+  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
+    std::vector<Outcome> outcomes;
+    for (std::size_t i = 0; i < genomes.size(); ++i) outcomes.push_back(anywhere(random_));
+    return outcomes;
+  }
+
+ private:
+  Random random_{2};
+};
+
+std::vector<Entry> spreadArchive(std::size_t size, std::size_t gene_count) {
+  Random random(3);
+  std::vector<Entry> entries;
+  for (const Genome& genome : randomGenomes(size, gene_count, 4)) {
+    Entry entry;
+    entry.id = static_cast<std::int64_t>(1000000000 + entries.size());
+    entry.genome = genome;
+    const Outcome outcome = anywhere(random);
+    entry.end_pose = outcome.end_pose;
+    // As in a repertoire that has been worked on for long.
+    entry.orientation_error_rad = 0.01 * outcome.orientation_error_rad;
+    entries.push_back(entry);
+  }
+  return entries;
+}
+
+}  // namespace
+
+GenerationCost measureGeneration(std::size_t archive, std::size_t gene_count) {
+  Lottery evaluator;
+  BrEvolution young(EvolutionOptions(), gene_count, evaluator, Random(1));
+  for (int generation = 0; generation < 3; ++generation) young.step();
+  EvolutionState state = young.state();
+  state.archive = spreadArchive(archive, gene_count);
+  BrEvolution evolution(EvolutionOptions(), gene_count, evaluator, state);
+  evolution.step();
+  GenerationCost cost;
+  cost.archive = archive;
+  cost.candidates = static_cast<std::size_t>(EvolutionOptions().population_size);
+  const double begin_s = threadCpu_s();
+  int generations = 0;
+  for (; threadCpu_s() - begin_s < kMeasuringTime_s; ++generations) evolution.step();
+  cost.cpu_s = (threadCpu_s() - begin_s) / generations;
+  cost.peak_memory_mb = peakMemory_mb();
+  return cost;
+}
+
+std::string describe(const GenerationCost& cost, double evaluation_cpu_s) {
+  const double simulation_s = static_cast<double>(cost.candidates) * evaluation_cpu_s;
+  std::ostringstream row;
+  row.imbue(std::locale::classic());
+  row << std::fixed << std::setprecision(2) << "| " << cost.archive << " | " << 1e3 * cost.cpu_s
+      << " | " << 100.0 * cost.cpu_s / (cost.cpu_s + simulation_s) << " % | "
+      << std::setprecision(0) << cost.peak_memory_mb << " MB |\n";
+  return row.str();
+}
+
+}  // namespace hexapod
