@@ -24,6 +24,8 @@ constexpr double kDegrees = 180.0 / M_PI;
 
 struct AssessOptions {
   std::int64_t chain = 10000;
+  double max_spread_m = 1.0;
+  double max_spread_rad = 3.2;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
   std::string engine = "reduced";
@@ -33,6 +35,10 @@ struct AssessOptions {
 
 std::vector<Option> declareOptions(AssessOptions& options) {
   return {option("chain", options.chain, "Behaviours played one after another.", 1, 10000000),
+          option("max_spread_m", options.max_spread_m, "m",
+                 "Entries whose validated end positions spread more are left out.", 0.0, 1.0),
+          option("max_spread_rad", options.max_spread_rad, "rad",
+                 "Entries whose validated headings spread more are left out.", 0.0, 3.2),
           option("seed", options.seed, "Seed of their order.", 0, 2147483647),
           option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
           option("engine", options.engine, "Simulation engine.", engineNames()),
@@ -94,9 +100,13 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
       std::make_shared<WorldPool>(engine.engine, robot, nominal, static_cast<int>(options.threads));
   std::vector<Entry> usable;
   for (const Entry& entry : repertoire.entries) {
-    if (entry.usable()) usable.push_back(entry);
+    const Execution seen = entry.execution.value_or(Execution{});
+    if (entry.usable() && seen.spread_m <= options.max_spread_m &&
+        seen.spread_rad <= options.max_spread_rad) {
+      usable.push_back(entry);
+    }
   }
-  std::printf("%s, %zu entries, %zu usable\n\n", repertoire.run_id.c_str(),
+  std::printf("%s, %zu entries, %zu of them played\n\n", repertoire.run_id.c_str(),
               repertoire.entries.size(), usable.size());
   std::printf(
       "| world | entries | sparseness [cm] | median error [deg] | reach [m] | "
