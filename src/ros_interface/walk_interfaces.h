@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include <actionlib/server/action_server.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/GetPlan.h>
@@ -9,6 +7,8 @@
 #include <ros/node_handle.h>
 #include <ros/spinner.h>
 #include <std_srvs/Trigger.h>
+
+#include <string>
 
 #include "hexapod_repertoire/GoTo.h"
 #include "hexapod_repertoire/WalkToAction.h"

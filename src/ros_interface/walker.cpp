@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "hexapod_repertoire/StepReport.h"
-#include "planning/path.h"
 #include "ros_interface/conversions.h"
 
 namespace hexapod {
@@ -13,7 +11,6 @@ namespace {
 
 using Code = hexapod_repertoire::GoTo::Response;
 
-constexpr double kPathSpacing_m = 0.02;
 // Beyond its own duration: the executor's ramp to the neutral pose and the transport.
 constexpr double kBehaviorGrace_s = 5.0;
 
@@ -60,10 +57,7 @@ Walker::Walker(ros::NodeHandle& node, ros::NodeHandle& private_node,
     : options_(options),
       poses_(options),
       executor_(node),
-      plan_publisher_(node.advertise<nav_msgs::Path>("plan", 1, true)),
-      goal_publisher_(node.advertise<geometry_msgs::PoseStamped>("current_goal", 1, true)),
-      marker_publisher_(node.advertise<visualization_msgs::MarkerArray>("plan_markers", 1, true)),
-      step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)),
+      display_(node, private_node, options.global_frame),
       repertoire_subscriber_(node.subscribe("repertoire", 1, &Walker::receive, this)),
       thread_(&Walker::work, this) {}
 
@@ -121,7 +115,7 @@ WalkReport Walker::makePlan(const Pose2& start, const Pose2& goal,
   const PlanResult plan = planner->planner()->plan(request);
   report.code = codeOf(plan.code);
   report.message = plan.message;
-  report.plan = pathOf(start, plan);
+  report.plan = pathOf(start, plan, options_.global_frame);
   return report;
 }
 
@@ -217,6 +211,14 @@ void Walker::walk(const WalkGoal& goal) {
   if (goal.finished) goal.finished(report);
 }
 
+void Walker::noteEnd(const Pose2& robot, const WalkGoal& goal, WalkReport& report) const {
+  report.final_pose.header.frame_id = options_.global_frame;
+  report.final_pose.header.stamp = ros::Time::now();
+  report.final_pose.pose = toPoseMsg(robot);
+  report.final_xy_error_m = distance(robot, goal.pose);
+  report.final_yaw_error_rad = headingDistance(robot, goal.pose);
+}
+
 WalkReport Walker::walkTo(const WalkGoal& goal) {
   WalkReport report;
   const auto planner = this->planner();  // one repertoire for the whole walk
@@ -224,11 +226,7 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
     report.message = kNoRepertoireMessage;
     return report;
   }
-  geometry_msgs::PoseStamped goal_message;
-  goal_message.header.frame_id = options_.global_frame;
-  goal_message.header.stamp = ros::Time::now();
-  goal_message.pose = toPoseMsg(goal.pose);
-  goal_publisher_.publish(goal_message);
+  display_.showGoal(goal.pose);
 
   Walk walk(planner, goal.pose, goal.tolerance);
   ros::Time rest(0);  // when the robot came to rest after the last behaviour
@@ -241,13 +239,9 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
       report.message = robot.problem;
       return report;
     }
-    if (played) reportStep(goal.id, report.steps, *played, walked.back(), *robot.pose);
+    if (played) display_.reportStep(goal.id, report.steps, *played, walked.back(), *robot.pose);
     walked.push_back(*robot.pose);
-    report.final_pose.header.frame_id = options_.global_frame;
-    report.final_pose.header.stamp = ros::Time::now();
-    report.final_pose.pose = toPoseMsg(*robot.pose);
-    report.final_xy_error_m = distance(*robot.pose, goal.pose);
-    report.final_yaw_error_rad = headingDistance(*robot.pose, goal.pose);
+    noteEnd(*robot.pose, goal, report);
 
     if (interrupted() || superseded()) {
       report.code = Code::PREEMPTED;
@@ -257,8 +251,10 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
       return report;
     }
     const Walk::Decision decision = walk.decide(*robot.pose, [this] { return interrupted(); });
-    publishPlan(goal, *robot.pose, decision.plan, walked);
-    if (report.plan.poses.empty()) report.plan = pathOf(*robot.pose, decision.plan);
+    display_.showPlan(*robot.pose, decision.plan, walked, goal.pose, goal.tolerance.xy_m);
+    if (report.steps == 0) {
+      report.plan = pathOf(*robot.pose, decision.plan, options_.global_frame);
+    }
     if (decision.state != WalkState::kStep) {
       report.code = codeOf(decision);
       report.message = decision.message;
@@ -279,46 +275,11 @@ WalkReport Walker::walkTo(const WalkGoal& goal) {
       return report;
     }
     ++report.steps;
-    played = decision.step;
+    played.reset();  // a behaviour that was broken off says nothing of its prediction
+    if (result.end == BehaviorClient::End::kPlayed) played = decision.step;
     rest = result.finished.isZero() ? ros::Time(0)
                                     : result.finished + ros::Duration(options_.pose_settle_s);
   }
-}
-
-nav_msgs::Path Walker::pathOf(const Pose2& from, const PlanResult& plan) const {
-  std::vector<Pose2> stops;
-  for (const PlannedStep& step : plan.steps) stops.push_back(step.world_from_end);
-  return toPathMsg(samplePath(from, stops, kPathSpacing_m), options_.global_frame,
-                   ros::Time::now());
-}
-
-void Walker::publishPlan(const WalkGoal& goal, const Pose2& from, const PlanResult& plan,
-                         const std::vector<Pose2>& walked) {
-  PlanPicture picture;
-  picture.frame = options_.global_frame;
-  for (const PlannedStep& step : plan.steps) picture.stops.push_back(step.world_from_end);
-  picture.path = samplePath(from, picture.stops, kPathSpacing_m);
-  picture.walked = walked;
-  picture.goal = goal.pose;
-  picture.xy_tolerance_m = goal.tolerance.xy_m;
-  plan_publisher_.publish(toPathMsg(picture.path, picture.frame, ros::Time::now()));
-  marker_publisher_.publish(planMarkers(picture));
-}
-
-void Walker::reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
-                        const Pose2& before, const Pose2& after) {
-  hexapod_repertoire::StepReport report;
-  report.header.frame_id = options_.global_frame;
-  report.header.stamp = ros::Time::now();
-  report.goal_id = goal_id;
-  report.step = number;
-  report.entry_id = step.id;
-  report.start = toPose2DMsg(before);
-  report.predicted = toPose2DMsg(step.world_from_end);
-  report.measured = toPose2DMsg(after);
-  report.xy_error_m = distance(step.world_from_end, after);
-  report.yaw_error_rad = headingDistance(step.world_from_end, after);
-  step_publisher_.publish(report);
 }
 
 }  // namespace hexapod

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
 #include <atomic>
 #include <condition_variable>
 #include <functional>
@@ -9,17 +12,13 @@
 #include <string>
 #include <thread>
 
-#include <ros/node_handle.h>
-#include <ros/publisher.h>
-#include <ros/subscriber.h>
-
 #include "hexapod_repertoire/GoTo.h"
 #include "hexapod_repertoire/Repertoire.h"
 #include "planning/walk.h"
 #include "ros_interface/behavior_client.h"
-#include "ros_interface/markers.h"
 #include "ros_interface/planner_node_options.h"
 #include "ros_interface/pose_source.h"
+#include "ros_interface/walk_display.h"
 
 namespace hexapod {
 
@@ -47,7 +46,7 @@ struct WalkGoal {
 
 /// Walks to goals, one at a time, in a thread of its own: measure, plan, have one behaviour
 /// executed, report, again. The newest goal takes over when the behaviour under way has ended.
-/// Publishes plan, current_goal, plan_markers and ~step_report. Public functions from any thread.
+/// Public functions from any thread.
 class Walker {
  public:
   Walker(ros::NodeHandle& node, ros::NodeHandle& private_node, const PlannerNodeOptions& options);
@@ -80,27 +79,20 @@ class Walker {
   WalkReport walkTo(const WalkGoal& goal);
   bool interrupted() const { return cancel_ || shutdown_; }
   bool superseded() const;
-  void publishPlan(const WalkGoal& goal, const Pose2& from, const PlanResult& plan,
-                   const std::vector<Pose2>& walked);
-  void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
-                  const Pose2& before, const Pose2& after);
-  nav_msgs::Path pathOf(const Pose2& from, const PlanResult& plan) const;
+  void noteEnd(const Pose2& robot, const WalkGoal& goal, WalkReport& report) const;
 
   PlannerNodeOptions options_;
   PoseSource poses_;
   BehaviorClient executor_;
-  ros::Publisher plan_publisher_;
-  ros::Publisher goal_publisher_;
-  ros::Publisher marker_publisher_;
-  ros::Publisher step_publisher_;
+  WalkDisplay display_;
   ros::Subscriber repertoire_subscriber_;
 
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_; one per repertoire
-  std::optional<WalkGoal> pending_;          // guarded by mutex_
-  std::string active_id_;               // guarded by mutex_; empty: idle
-  std::uint64_t goals_ = 0;             // guarded by mutex_
+  std::optional<WalkGoal> pending_;           // guarded by mutex_
+  std::string active_id_;                     // guarded by mutex_; empty: idle
+  std::uint64_t goals_ = 0;                   // guarded by mutex_
   std::atomic<bool> cancel_{false};
   std::atomic<bool> shutdown_{false};
   std::thread thread_;
