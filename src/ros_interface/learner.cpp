@@ -1,8 +1,8 @@
 #include "ros_interface/learner.h"
 
-#include <thread>
-
 #include <ros/ros.h>
+
+#include <thread>
 
 #include "hexapod_repertoire/LearningProgress.h"
 #include "learning/learning_report.h"
@@ -93,6 +93,8 @@ bool Learner::run() {
   try {
     const bool finished = session_.run(hooks);
     join();
+    const std::string remark = session_.verificationRemark();
+    if (!remark.empty()) ROS_WARN_STREAM(remark);
     return finished;
   } catch (...) {
     join();
