@@ -11,13 +11,13 @@
 namespace hexapod {
 namespace {
 
-constexpr std::array<LearningPhase, 3> kPhases = {LearningPhase::kEvolving,
-                                                  LearningPhase::kValidating, LearningPhase::kDone};
+constexpr std::array<LearningPhase, 4> kPhases = {LearningPhase::kEvolving, LearningPhase::kVerifying, LearningPhase::kValidating, LearningPhase::kDone};
 // Evolution's own texts stand beside these.
 constexpr const char* kPhaseKey = "session.phase";
 constexpr const char* kElapsedKey = "session.elapsed_s";
 constexpr const char* kSimulationsKey = "session.simulations";
 constexpr const char* kArchiveOrderKey = "session.archive_order";
+constexpr const char* kDroppedKey = "session.dropped";
 
 [[noreturn]] void fail(const std::string& name, const std::string& expected,
                        const std::string& found) {
@@ -36,7 +36,7 @@ LearningPhase phaseFrom(const LearnerState& state) {
   for (const LearningPhase phase : kPhases) {
     if (text == toString(phase)) return phase;
   }
-  fail(kPhaseKey, "evolving, validating or done", "'" + text + "'");
+  fail(kPhaseKey, "evolving, verifying, validating or done", "'" + text + "'");
 }
 
 double elapsedFrom(const LearnerState& state) {
@@ -53,9 +53,52 @@ std::int64_t simulationsFrom(const LearnerState& state) {
   return *number;
 }
 
+/// A line: "id genome x_m y_m yaw_rad orientation_error_rad evaluation".
+std::string lineOf(const Entry& entry) {
+  std::string line = std::to_string(entry.id) + " " + toString(entry.genome);
+  for (const double number : {entry.end_pose.x_m, entry.end_pose.y_m, entry.end_pose.yaw_rad,
+                              entry.orientation_error_rad}) {
+    line += " " + toText(number);
+  }
+  return line + " " + std::to_string(entry.evaluation) + "\n";
+}
+
+Entry entryFrom(const std::string& line) {
+  Entry entry;
+  std::istringstream words(line);
+  std::string genome, word;
+  const auto integer = [&] {
+    words >> word;
+    const auto number = integerFromText(word);
+    if (!words || !number) fail(kDroppedKey, "entries of 7 values", "'" + line + "'");
+    return *number;
+  };
+  const auto number = [&] {
+    words >> word;
+    const auto number = doubleFromText(word);
+    if (!words || !number) fail(kDroppedKey, "entries of 7 values", "'" + line + "'");
+    return *number;
+  };
+  entry.id = integer();
+  words >> genome;
+  entry.genome = genomeFromString(genome, genome.size());
+  entry.end_pose = {number(), number(), number()};
+  entry.orientation_error_rad = number();
+  entry.evaluation = integer();
+  return entry;
+}
+
+std::vector<Entry> droppedFrom(const LearnerState& state) {
+  std::vector<Entry> dropped;
+  std::istringstream lines(textOf(state, kDroppedKey));
+  for (std::string line; std::getline(lines, line);) dropped.push_back(entryFrom(line));
+  return dropped;
+}
+
 /// The entries in the order of the archive that was saved, as it was before validation.
 std::vector<Entry> archiveFrom(const StoredRepertoire& stored) {
   std::map<std::int64_t, Entry> by_id;
+  for (const Entry& entry : droppedFrom(stored.learner_state)) by_id[entry.id] = entry;
   for (const Entry& entry : stored.repertoire.entries) by_id[entry.id] = entry;
   std::vector<Entry> archive;
   std::istringstream ids(textOf(stored.learner_state, kArchiveOrderKey));
@@ -79,6 +122,8 @@ std::string toString(LearningPhase phase) {
   switch (phase) {
     case LearningPhase::kEvolving:
       return "evolving";
+    case LearningPhase::kVerifying:
+      return "verifying";
     case LearningPhase::kValidating:
       return "validating";
     case LearningPhase::kDone:
@@ -94,13 +139,19 @@ LearnerState toLearnerState(const Checkpoint& checkpoint) {
   state[kSimulationsKey] = std::to_string(checkpoint.simulations);
   std::string& order = state[kArchiveOrderKey];
   for (const Entry& entry : checkpoint.evolution.archive) order += std::to_string(entry.id) + "\n";
+  std::string& dropped = state[kDroppedKey];
+  for (const Entry& entry : checkpoint.evolution.archive) {
+    if (checkpoint.dropped.count(entry.id) > 0) dropped += lineOf(entry);
+  }
   return state;
 }
 
 Checkpoint checkpointFrom(const StoredRepertoire& stored) {
   const LearnerState& state = stored.learner_state;
+  std::set<std::int64_t> dropped;
+  for (const Entry& entry : droppedFrom(state)) dropped.insert(entry.id);
   return {stateFromTexts(state, archiveFrom(stored)), phaseFrom(state), elapsedFrom(state),
-          simulationsFrom(state)};
+          simulationsFrom(state), dropped};
 }
 
 }  // namespace hexapod

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <vector>
+#include <cstdint>
+#include <set>
 
 #include "evolution/individual.h"
 #include "learning/learning_phase.h"
@@ -15,9 +16,10 @@ struct Checkpoint {
   LearningPhase phase = LearningPhase::kEvolving;
   double elapsed_s = 0.0;  ///< spent evolving
   std::int64_t simulations = 0;
+  std::set<std::int64_t> dropped;  ///< ids of the archive's entries that the repertoire leaves out
 };
 
-/// The checkpoint as texts by name; all but the archive's entries, which are the repertoire's.
+/// The checkpoint as texts by name; all but the archive's entries that are in the repertoire.
 LearnerState toLearnerState(const Checkpoint& checkpoint);
 
 /// Puts the checkpoint together again from a file's content. Throws std::invalid_argument with a

@@ -31,6 +31,9 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05),
+      option("verify_with_ode", options.verify_with_ode,
+             "Replay all entries of the engine reduced in ODE when learning is done, and leave out "
+             "those that do not hold."),
       option("validation_trials", options.validation_trials,
              "Executions of each entry after random predecessors when learning is done; 0: none.",
              0, 1000),

@@ -24,6 +24,7 @@ struct LearnOptions {
   std::int64_t threads = 0;
   std::string engine = "reduced";
   double step_s = 0.015;
+  bool verify_with_ode = true;
   std::int64_t validation_trials = 8;
   double checkpoint_period_s = 5.0;
   std::int64_t cached_genomes = 300000;

@@ -5,9 +5,9 @@
 namespace hexapod {
 
 /// What a learning session is doing.
-enum class LearningPhase { kEvolving, kValidating, kDone };
+enum class LearningPhase { kEvolving, kVerifying, kValidating, kDone };
 
-/// "evolving", "validating", "done".
+/// "evolving", "verifying", "validating", "done".
 std::string toString(LearningPhase phase);
 
 }  // namespace hexapod

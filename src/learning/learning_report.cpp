@@ -16,6 +16,11 @@ std::string describe(const LearningStatus& status) {
     line << "Validating: " << status.entries_validated << " of " << status.entries << " entries.";
     return line.str();
   }
+  if (status.phase == LearningPhase::kVerifying) {
+    line << "Verifying: " << status.entries_verified << " of " << status.entries
+         << " entries replayed in ODE.";
+    return line.str();
+  }
   const bool done = status.phase == LearningPhase::kDone;
   line << (done ? "Done: " : "Learning: ") << status.counters.evaluations;
   // A run that only its time limits has a budget nobody reads.
@@ -37,6 +42,9 @@ double fractionDone(const LearningStatus& status) {
   const auto part = [](double done, double whole) { return whole > 0.0 ? done / whole : 1.0; };
   if (status.phase == LearningPhase::kValidating) {
     return part(static_cast<double>(status.entries_validated), static_cast<double>(status.entries));
+  }
+  if (status.phase == LearningPhase::kVerifying) {
+    return part(static_cast<double>(status.entries_verified), static_cast<double>(status.entries));
   }
   const double of_evaluations = part(static_cast<double>(status.counters.evaluations),
                                      static_cast<double>(status.evaluations_budget));

@@ -11,7 +11,7 @@ namespace hexapod {
 std::string describe(const LearningStatus& status);
 
 /// Of the phase under way, 0 .. 1: the part of the budget that is used up, or of the entries that
-/// are validated.
+/// are verified or validated.
 double fractionDone(const LearningStatus& status);
 
 }  // namespace hexapod

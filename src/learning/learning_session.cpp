@@ -5,6 +5,8 @@
 
 #include "gait/behavior.h"
 #include "repertoire/metrics.h"
+#include "repertoire/number_text.h"
+#include "learning/verify.h"
 
 namespace hexapod {
 namespace {
@@ -46,6 +48,12 @@ std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOpti
       "to true to replace it.");
 }
 
+std::vector<Genome> genomesOf(const std::vector<Entry>& entries) {
+  std::vector<Genome> genomes;
+  for (const Entry& entry : entries) genomes.push_back(entry.genome);
+  return genomes;
+}
+
 BrEvolution makeEvolution(const RobotDescription& robot, const LearnOptions& options,
                           CandidateEvaluator& evaluator, const std::optional<Resumed>& resumed) {
   if (resumed) {
@@ -84,6 +92,10 @@ void LearningSession::goOn() {
     executions_.clear();
     entries_validated_ = 0;
   }
+  if (phase_ == LearningPhase::kDone) {
+    dropped_ = resumed_->checkpoint.dropped;
+    facts_ = resumed_->facts;
+  }
 }
 
 std::string LearningSession::resumeRemark() const {
@@ -100,7 +112,7 @@ std::string LearningSession::resumeRemark() const {
 bool LearningSession::run(const Hooks& hooks) {
   lap_s_ = saved_s_ = clock_();
   const bool was_done = phase_ == LearningPhase::kDone;
-  const bool finished = was_done || (evolve(hooks) && validateEntries(hooks));
+  const bool finished = was_done || (evolve(hooks) && verifyEntries(hooks) && validateEntries(hooks));
   if (finished) phase_ = LearningPhase::kDone;
   if (!was_done && evolution_.counters().generations > 0) save(hooks);
   if (hooks.progress) hooks.progress(*this);
@@ -145,6 +157,46 @@ bool LearningSession::evolve(const Hooks& hooks) {
   return true;
 }
 
+bool LearningSession::verifyEntries(const Hooks& hooks) {
+  if (!options_.verify_with_ode || engine_.engine == Engine::kOde) return true;
+  phase_ = LearningPhase::kVerifying;
+  save(hooks);
+  VerificationHooks verification_hooks;
+  verification_hooks.cancelled = &stop_;
+  verification_hooks.progress = [&](std::size_t done, std::size_t) {
+    entries_verified_ = static_cast<std::int64_t>(done);
+    if (hooks.progress) hooks.progress(*this);
+  };
+  const std::vector<Entry>& entries = evolution_.archive().entries();
+  const Verification verification =
+      verifyInOde(*worlds_, options_.behavior, genomesOf(entries), verification_hooks);
+  if (stop_) return false;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!verification.holds[i]) dropped_.insert(entries[i].id);
+  }
+  facts_["verified_entries"] = std::to_string(entries.size() - dropped_.size());
+  facts_["dropped_entries"] = std::to_string(dropped_.size());
+  facts_["largest_difference_m"] = toText(verification.largest_difference_m);
+  facts_["largest_difference_rad"] = toText(verification.largest_difference_rad);
+  return true;
+}
+
+std::string LearningSession::verificationRemark() const {
+  if (dropped_.empty()) return "";
+  return "ODE does not confirm " + std::to_string(dropped_.size()) + " of " +
+         std::to_string(evolution_.archive().size()) +
+         " entries, which ended otherwise there or more than 0.1 mm or 1 mrad elsewhere: they are "
+         "left out.";
+}
+
+std::vector<Entry> LearningSession::keptEntries() const {
+  std::vector<Entry> kept;
+  for (const Entry& entry : evolution_.archive().entries()) {
+    if (dropped_.count(entry.id) == 0) kept.push_back(entry);
+  }
+  return kept;
+}
+
 bool LearningSession::validateEntries(const Hooks& hooks) {
   if (options_.validation_trials == 0) return true;
   phase_ = LearningPhase::kValidating;
@@ -159,10 +211,8 @@ bool LearningSession::validateEntries(const Hooks& hooks) {
     entries_validated_ = static_cast<std::int64_t>(done);
     if (hooks.progress) hooks.progress(*this);
   };
-  std::vector<Genome> genomes;
-  for (const Entry& entry : evolution_.archive().entries()) genomes.push_back(entry.genome);
   std::vector<Execution> executions =
-      validate(*worlds_, options_.behavior, genomes, validation, validation_hooks);
+      validate(*worlds_, options_.behavior, genomesOf(keptEntries()), validation, validation_hooks);
   if (stop_) return false;
   executions_ = std::move(executions);
   return true;
@@ -190,7 +240,7 @@ void LearningSession::save(const Hooks& hooks) {
   const double begin_s = clock_();
   try {
     writer_.save(repertoire(),
-                 toLearnerState({evolution_.state(), phase_, evolved_s_, simulations()}));
+                 toLearnerState({evolution_.state(), phase_, evolved_s_, simulations(), dropped_}));
   } catch (const std::runtime_error& error) {
     if (hooks.save_failed) hooks.save_failed(error.what());
   }
@@ -205,7 +255,9 @@ LearningStatus LearningSession::status() const {
   status.simulations = simulations();
   status.evaluations_budget = options_.evaluations;
   status.time_budget_s = options_.time_budget_s;
-  status.entries = static_cast<std::int64_t>(evolution_.archive().size());
+  status.entries = static_cast<std::int64_t>(evolution_.archive().size() - dropped_.size());
+  status.entries_verified = entries_verified_;
+  status.entries_dropped = static_cast<std::int64_t>(dropped_.size());
   status.entries_validated = entries_validated_;
   status.elapsed_s = evolved_s_;
   if (evolved_s_ > 0.0) {
@@ -232,8 +284,10 @@ Repertoire LearningSession::repertoire() const {
   repertoire.behavior_duration_s = static_cast<double>(behaviorParts(options_.behavior).total()) *
                                    options_.behavior.command_period_s;
   repertoire.joint_names = robot_.jointNames();
+  repertoire.facts = facts_;
+  repertoire.facts["engine"] = engine_.engine == Engine::kOde ? "ode" : "reduced";
   repertoire.facts["simulations"] = std::to_string(simulations());
-  repertoire.entries = evolution_.archive().entries();
+  repertoire.entries = keptEntries();
   for (std::size_t i = 0; i < executions_.size(); ++i)
     repertoire.entries[i].execution = executions_[i];
   repertoire.history = history_;

@@ -2,8 +2,10 @@
 
 #include <atomic>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -26,7 +28,9 @@ struct LearningStatus {
   std::int64_t simulations = 0;  ///< behaviours simulated, in earlier processes as well
   std::int64_t evaluations_budget = 0;
   double time_budget_s = 0.0;  ///< 0: none
-  std::int64_t entries = 0;
+  std::int64_t entries = 0;  ///< those that were dropped excluded
+  std::int64_t entries_verified = 0;
+  std::int64_t entries_dropped = 0;  ///< since they do not hold in ODE
   std::int64_t entries_validated = 0;
   double elapsed_s = 0.0;          ///< spent evolving
   double evaluations_per_s = 0.0;  ///< over the time spent evolving
@@ -76,6 +80,9 @@ class LearningSession {
   /// Before run(): a sentence for the user about what `resume` found, or empty without it.
   std::string resumeRemark() const;
 
+  /// A sentence for the user when ODE does not confirm some entries, which are left out, or empty.
+  std::string verificationRemark() const;
+
   /// A sentence for the user about the engine (EngineChoice::remark), or empty.
   const std::string& engineRemark() const { return engine_.remark; }
 
@@ -90,7 +97,9 @@ class LearningSession {
   std::int64_t simulations() const;
   void lap();
   bool evolve(const Hooks& hooks);
+  bool verifyEntries(const Hooks& hooks);
   bool validateEntries(const Hooks& hooks);
+  std::vector<Entry> keptEntries() const;
   void recordHistory();
   bool checkpointIsDue() const;
   void save(const Hooks& hooks);
@@ -108,7 +117,10 @@ class LearningSession {
   BrEvolution evolution_;
   LearningPhase phase_ = LearningPhase::kEvolving;
   std::vector<HistoryRow> history_;
-  std::vector<Execution> executions_;  // per archive entry; empty until validated
+  std::vector<Execution> executions_;  // per kept entry; empty until validated
+  std::set<std::int64_t> dropped_;     // ids of entries that do not hold in ODE
+  std::map<std::string, std::string> facts_;  // of verification
+  std::int64_t entries_verified_ = 0;
   std::int64_t entries_validated_ = 0;
   double evolved_s_ = 0.0;  // spent evolving, in earlier processes as well
   double lap_s_ = 0.0;      // up to here evolved_s_ is counted

@@ -44,7 +44,9 @@ std::vector<Execution> executionsOf(const Checkpoint& checkpoint,
   }
   std::vector<Execution> executions;
   if (by_id.size() != entries.size()) return executions;
-  for (const Entry& entry : checkpoint.evolution.archive) executions.push_back(by_id.at(entry.id));
+  for (const Entry& entry : checkpoint.evolution.archive) {
+    if (checkpoint.dropped.count(entry.id) == 0) executions.push_back(by_id.at(entry.id));
+  }
   return executions;
 }
 
@@ -64,7 +66,7 @@ Resumed resume(const RobotDescription& robot, const LearnOptions& options) {
   try {
     const Checkpoint checkpoint = checkpointFrom(stored);
     return {checkpoint, stored.repertoire.history,
-            executionsOf(checkpoint, stored.repertoire.entries)};
+            executionsOf(checkpoint, stored.repertoire.entries), stored.repertoire.facts};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(start + error.what() + hint);
   }

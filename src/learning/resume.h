@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,7 +15,9 @@ namespace hexapod {
 struct Resumed {
   Checkpoint checkpoint;
   std::vector<HistoryRow> history;
-  std::vector<Execution> executions;  ///< per archive entry; empty unless all were validated
+  /// Per entry that was not dropped, in the archive's order; empty unless all were validated.
+  std::vector<Execution> executions;
+  std::map<std::string, std::string> facts;
 };
 
 /// Reads the run that repertoire_file holds. Throws std::invalid_argument when it is another run

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+#include "gait/behavior_options.h"
+#include "gait/genome.h"
+#include "gait/outcome.h"
+#include "geometry/pose2.h"
+#include "robot/robot_description.h"
+#include "simulation/world.h"
+#include "simulation/world_pool.h"
+
+namespace hexapod {
+
+/// How far an entry may end from where ODE ends it. Ten steps of the rounding of outcomes; the
+/// engines differ by a hundredth of it at most where both solve the same equations, and what a
+/// planner can make use of is a hundred times as much.
+constexpr double kVerifiedWithin_m = 1e-4;
+constexpr double kVerifiedWithin_rad = 1e-3;
+
+/// How a behaviour ended from the settled stand, not rounded as an Outcome is.
+struct End {
+  Verdict verdict = Verdict::kDiverged;
+  Pose2 pose;
+};
+
+/// What a caller may watch and stop a verification with; both may be left empty.
+struct VerificationHooks {
+  /// Called with the genomes done and their total, by any of the pool's threads, one at a time.
+  std::function<void(std::size_t, std::size_t)> progress;
+  /// Genomes not begun when it turns true are left out.
+  const std::atomic<bool>* cancelled = nullptr;
+};
+
+/// Plays every genome in its canonical() form, from the settled stand of the pool's worlds. Same
+/// result whatever the number of threads. Genomes that were cancelled are kDiverged.
+std::vector<End> playFromTheStand(WorldPool& worlds, const BehaviorOptions& behavior,
+                                  const std::vector<Genome>& genomes,
+                                  const VerificationHooks& hooks = {});
+
+/// What ODE says to genomes that another engine has simulated.
+struct Verification {
+  std::vector<bool> holds;  ///< per genome
+  /// The largest differences among those that hold and walk.
+  double largest_difference_m = 0.0;
+  double largest_difference_rad = 0.0;
+};
+
+/// Plays every genome in the pool's engine and in ODE, under the pool's physics and with as many
+/// threads. A genome holds when both engines come to the same verdict and, where it walks, to end
+/// poses within kVerifiedWithin_m and kVerifiedWithin_rad. Of no meaning when it was cancelled.
+Verification verifyInOde(WorldPool& worlds, const BehaviorOptions& behavior,
+                         const std::vector<Genome>& genomes, const VerificationHooks& hooks = {});
+
+}  // namespace hexapod
