@@ -11,7 +11,9 @@
 namespace hexapod {
 namespace {
 
-constexpr std::array<LearningPhase, 4> kPhases = {LearningPhase::kEvolving, LearningPhase::kVerifying, LearningPhase::kValidating, LearningPhase::kDone};
+constexpr std::array<LearningPhase, 4> kPhases = {LearningPhase::kEvolving,
+                                                  LearningPhase::kVerifying,
+                                                  LearningPhase::kValidating, LearningPhase::kDone};
 // Evolution's own texts stand beside these.
 constexpr const char* kPhaseKey = "session.phase";
 constexpr const char* kElapsedKey = "session.elapsed_s";

@@ -4,9 +4,9 @@
 #include <stdexcept>
 
 #include "gait/behavior.h"
+#include "learning/verify.h"
 #include "repertoire/metrics.h"
 #include "repertoire/number_text.h"
-#include "learning/verify.h"
 
 namespace hexapod {
 namespace {
@@ -112,7 +112,8 @@ std::string LearningSession::resumeRemark() const {
 bool LearningSession::run(const Hooks& hooks) {
   lap_s_ = saved_s_ = clock_();
   const bool was_done = phase_ == LearningPhase::kDone;
-  const bool finished = was_done || (evolve(hooks) && verifyEntries(hooks) && validateEntries(hooks));
+  const bool finished =
+      was_done || (evolve(hooks) && verifyEntries(hooks) && validateEntries(hooks));
   if (finished) phase_ = LearningPhase::kDone;
   if (!was_done && evolution_.counters().generations > 0) save(hooks);
   if (hooks.progress) hooks.progress(*this);

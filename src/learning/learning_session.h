@@ -28,7 +28,7 @@ struct LearningStatus {
   std::int64_t simulations = 0;  ///< behaviours simulated, in earlier processes as well
   std::int64_t evaluations_budget = 0;
   double time_budget_s = 0.0;  ///< 0: none
-  std::int64_t entries = 0;  ///< those that were dropped excluded
+  std::int64_t entries = 0;    ///< those that were dropped excluded
   std::int64_t entries_verified = 0;
   std::int64_t entries_dropped = 0;  ///< since they do not hold in ODE
   std::int64_t entries_validated = 0;
@@ -117,8 +117,8 @@ class LearningSession {
   BrEvolution evolution_;
   LearningPhase phase_ = LearningPhase::kEvolving;
   std::vector<HistoryRow> history_;
-  std::vector<Execution> executions_;  // per kept entry; empty until validated
-  std::set<std::int64_t> dropped_;     // ids of entries that do not hold in ODE
+  std::vector<Execution> executions_;         // per kept entry; empty until validated
+  std::set<std::int64_t> dropped_;            // ids of entries that do not hold in ODE
   std::map<std::string, std::string> facts_;  // of verification
   std::int64_t entries_verified_ = 0;
   std::int64_t entries_validated_ = 0;
