@@ -8,6 +8,12 @@
 
 namespace hexapod {
 
+bool agree(const End& a, const End& b) {
+  if (a.verdict != b.verdict) return false;
+  return a.verdict != Verdict::kWalked || (distance(a.pose, b.pose) <= kVerifiedWithin_m &&
+                                           headingDistance(a.pose, b.pose) <= kVerifiedWithin_rad);
+}
+
 std::vector<End> playFromTheStand(WorldPool& worlds, const BehaviorOptions& behavior,
                                   const std::vector<Genome>& genomes,
                                   const VerificationHooks& hooks) {
@@ -36,15 +42,13 @@ Verification verifyInOde(WorldPool& worlds, const BehaviorOptions& behavior,
   const std::vector<End> expected = playFromTheStand(ode, behavior, genomes, hooks);
   Verification verification;
   for (std::size_t i = 0; i < genomes.size(); ++i) {
-    const bool walks = expected[i].verdict == Verdict::kWalked;
-    const double apart_m = walks ? distance(found[i].pose, expected[i].pose) : 0.0;
-    const double apart_rad = walks ? headingDistance(found[i].pose, expected[i].pose) : 0.0;
-    const bool holds = found[i].verdict == expected[i].verdict && apart_m <= kVerifiedWithin_m &&
-                       apart_rad <= kVerifiedWithin_rad;
+    const bool holds = agree(found[i], expected[i]);
     verification.holds.push_back(holds);
-    if (!holds) continue;
-    verification.largest_difference_m = std::max(verification.largest_difference_m, apart_m);
-    verification.largest_difference_rad = std::max(verification.largest_difference_rad, apart_rad);
+    if (!holds || expected[i].verdict != Verdict::kWalked) continue;
+    verification.largest_difference_m =
+        std::max(verification.largest_difference_m, distance(found[i].pose, expected[i].pose));
+    verification.largest_difference_rad = std::max(
+        verification.largest_difference_rad, headingDistance(found[i].pose, expected[i].pose));
   }
   return verification;
 }

@@ -27,6 +27,10 @@ struct End {
   Pose2 pose;
 };
 
+/// Whether both came to the same verdict and, if they walked, to poses within kVerifiedWithin_m and
+/// kVerifiedWithin_rad.
+bool agree(const End& a, const End& b);
+
 /// What a caller may watch and stop a verification with; both may be left empty.
 struct VerificationHooks {
   /// Called with the genomes done and their total, by any of the pool's threads, one at a time.
@@ -50,8 +54,7 @@ struct Verification {
 };
 
 /// Plays every genome in the pool's engine and in ODE, under the pool's physics and with as many
-/// threads. A genome holds when both engines come to the same verdict and, where it walks, to end
-/// poses within kVerifiedWithin_m and kVerifiedWithin_rad. Of no meaning when it was cancelled.
+/// threads. A genome holds when both engines agree(). Of no meaning when it was cancelled.
 Verification verifyInOde(WorldPool& worlds, const BehaviorOptions& behavior,
                          const std::vector<Genome>& genomes, const VerificationHooks& hooks = {});
 
