@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "evolution/cached_evaluator.h"
+#include "learning/distributed_evaluator.h"
 #include "learning/learn_options.h"
 #include "simulation/behavior_evaluator.h"
 #include "simulation/robust_evaluator.h"
@@ -12,24 +13,32 @@
 namespace hexapod {
 
 /// The evaluator of a learning run, put together as its options ask: a run from the stand, the
-/// perturbations on top of it, and a cache in front of both.
+/// perturbations on top of it, spread over the workers there are, and a cache in front of all.
 class CandidateEvaluator {
  public:
   /// The robot's symmetries, none unless twins are offered: without them the paper's algorithm
-  /// runs on simulated outcomes only. Throws std::invalid_argument when options do not fit.
+  /// runs on simulated outcomes only. Waits for the workers (see DistributedEvaluator). Throws
+  /// std::invalid_argument when options do not fit.
   CandidateEvaluator(std::shared_ptr<WorldPool> worlds, const LearnOptions& options,
-                     const std::atomic<bool>& cancelled);
+                     const std::atomic<bool>& cancelled,
+                     const DistributedEvaluator::Workers& workers = {});
 
   Evaluator& evaluator() { return cached_; }
+
+  /// Works for another process' session with the same options until that sends the end.
+  void serveFor(Channel& master);
+
   const std::vector<Symmetry>& symmetries() const { return symmetries_; }
 
-  /// Behaviours simulated so far.
+  /// Behaviours simulated so far, by the workers as well.
   std::int64_t simulations() const;
 
  private:
   std::vector<Symmetry> symmetries_;
+  Introduction own_;
   BehaviorEvaluator nominal_;
   RobustEvaluator robust_;
+  DistributedEvaluator distributed_;
   CachedEvaluator cached_;
 };
 

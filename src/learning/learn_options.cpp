@@ -4,7 +4,6 @@
 #include <set>
 
 #include "repertoire/digest.h"
-#include "simulation/world.h"
 
 namespace hexapod {
 
@@ -50,6 +49,12 @@ std::vector<Option> declareOptions(LearnOptions& options) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+Physics nominalPhysics(const LearnOptions& options) {
+  Physics physics;
+  physics.step_s = options.step_s;
+  return physics;
 }
 
 std::map<std::string, std::string> resultOptions(const LearnOptions& options) {

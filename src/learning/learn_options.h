@@ -10,6 +10,7 @@
 #include "gait/behavior_options.h"
 #include "robot/robot_description.h"
 #include "simulation/robust_options.h"
+#include "simulation/world.h"
 
 namespace hexapod {
 
@@ -35,6 +36,9 @@ struct LearnOptions {
 
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(LearnOptions& options);
+
+/// The physics that candidates are simulated with first.
+Physics nominalPhysics(const LearnOptions& options);
 
 /// The options that say what is learned, as texts by name, as the repertoire keeps them. Where it
 /// is kept, how often it is saved and how many threads work makes no difference to it.

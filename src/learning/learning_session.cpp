@@ -26,12 +26,6 @@ std::string claimed(const LearnOptions& options) {
   return options.repertoire_file;
 }
 
-Physics nominalPhysics(const LearnOptions& options) {
-  Physics physics;
-  physics.step_s = options.step_s;
-  return physics;
-}
-
 std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOptions& options,
                                   const RepertoireWriter& writer) {
   if (options.resume && options.overwrite) {
@@ -67,7 +61,7 @@ BrEvolution makeEvolution(const RobotDescription& robot, const LearnOptions& opt
 }  // namespace
 
 LearningSession::LearningSession(const RobotDescription& robot, const LearnOptions& options,
-                                 Clock clock)
+                                 Clock clock, const DistributedEvaluator::Workers& workers)
     : robot_(robot),
       options_(options),
       clock_(std::move(clock)),
@@ -76,7 +70,7 @@ LearningSession::LearningSession(const RobotDescription& robot, const LearnOptio
       engine_(chooseEngine(options.engine, robot)),
       worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
                                           static_cast<int>(options.threads))),
-      evaluator_(worlds_, options, stop_),
+      evaluator_(worlds_, options, stop_, workers),
       evolution_(makeEvolution(robot, options, evaluator_, resumed_)) {
   if (resumed_) goOn();
 }

@@ -65,7 +65,10 @@ class LearningSession {
   /// Claims repertoire_file (RepertoireWriter). Throws std::invalid_argument for options that do
   /// not fit or not be those of the run to be resumed, std::runtime_error for a file that cannot be
   /// written or that holds a repertoire while neither `overwrite` nor `resume` is set.
-  LearningSession(const RobotDescription& robot, const LearnOptions& options, Clock clock);
+  /// Evaluations are spread over this process and the workers, each of which runs workFor(); waits
+  /// until they have introduced themselves. Validation is this process' alone.
+  LearningSession(const RobotDescription& robot, const LearnOptions& options, Clock clock,
+                  const DistributedEvaluator::Workers& workers = {});
 
   /// Evolves until the budget is used up, validates, saves. Returns true when all was done, false
   /// when requestStop() ended it early; the file then holds the last whole generation.

@@ -150,7 +150,9 @@ std::string evolveHelp() {
          "  evolve --file gaits.db --evaluations 20000 --seed 3\n"
          "  evolve --file gaits.db --evaluations 50000 --seed 3 --resume\n"
          "  evolve --file gaits.db --preset paper --novelty_threshold_m 0.05 --csv gaits.csv\n"
-         "  evolve --file gaits.db --seconds 60      (how far it gets depends on the machine)\n\n"
+         "  evolve --file gaits.db --seconds 60      (how far it gets depends on the machine)\n"
+         "  mpirun -n 8 evolve --file gaits.db --evaluations 1000000       (same result as "
+         "alone)\n\n"
          "--file is short for --repertoire_file, --seconds for --time_budget_s without a limit of\n"
          "evaluations. The preset's options come first, then those of --config, then these.\n\n" +
          describeOptions(declareOptions(options));

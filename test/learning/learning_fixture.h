@@ -23,13 +23,15 @@ class LearningFixture : public testing::Test {
   }
   void TearDown() override { std::filesystem::remove_all(folder_); }
 
-  /// Five generations and a half, saved after each.
+  /// Five generations and a half, saved after each; without the verification, which takes ODE.
   LearnOptions smallRun(const std::string& name) const {
     LearnOptions options;
     options.repertoire_file = (folder_ / name).string();
     options.evolution.population_size = 10;
     options.evaluations = 55;
     options.validation_trials = 2;
+    options.verify_with_ode = false;
+    options.resimulate = false;
     options.checkpoint_period_s = 0.0;
     return options;
   }

@@ -83,6 +83,19 @@ TEST_F(ResumeTest, ValidatesAnewWhatWasKilledWhileValidating) {
   expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
 }
 
+TEST_F(ResumeTest, VerifiesAnewWhatWasKilledWhileVerifying) {
+  LearnOptions options = smallRun("a.db");
+  options.verify_with_ode = true;
+  options.behavior.gait_duration_s = 0.3;
+  options.evolution.novelty_threshold_m = 0.01;
+  killWhen(options, [](const LearningStatus& status) { return status.entries_verified == 3; });
+  EXPECT_EQ(loadRepertoire(options.repertoire_file).evaluations, 55);
+  ASSERT_TRUE(learn(resumed(options)));
+  const Repertoire repertoire = loadRepertoire(options.repertoire_file);
+  expectSameRun(repertoire, undisturbed(options));
+  EXPECT_EQ(repertoire.facts.count("verified_entries"), 1U);
+}
+
 TEST_F(ResumeTest, GoesOnWithARunThatWasStopped) {
   const LearnOptions options = smallRun("a.db");
   {

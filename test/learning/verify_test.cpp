@@ -58,6 +58,7 @@ TEST_F(VerifyTest, BeginsNothingOnceCancelled) {
 
 TEST_F(VerifyTest, IsRecordedInTheFile) {
   LearnOptions options = smallRun("a.db");
+  options.verify_with_ode = true;
   options.behavior.gait_duration_s = 0.6;
   options.evolution.novelty_threshold_m = 0.02;
   std::int64_t seen = 0;

@@ -1,5 +1,6 @@
 """The program evolve, from outside."""
 import os
+import shutil
 import signal
 import subprocess
 
@@ -8,7 +9,7 @@ import pytest
 import kill_resume
 
 EVOLVE = os.environ.get("EVOLVE", "")
-SMALL = ["--population_size", "20", "--validation_trials", "2"]
+SMALL = ["--population_size", "20", "--validation_trials", "2", "--verify_with_ode", "false"]
 ENDLESS = ["--evaluations", "100000000", "--progress_period_s", "0.0", *SMALL]
 HANGS_S = 60
 
@@ -95,3 +96,66 @@ def test_an_unknown_option_is_refused_with_the_nearest_name(tmp_path):
     assert result.returncode == 2
     assert "evaluations" in result.stderr
     assert not (tmp_path / "a.db").exists()
+
+
+def mpirun(processes, *options):
+    """The command that runs the program in several processes of this machine."""
+    return ["mpirun", "--mca", "plm", "isolated", "--allow-run-as-root", "--oversubscribe",
+            "-n", str(processes), EVOLVE, *map(str, options)]
+
+
+def has_mpi():
+    """True when there is mpirun and the program was built with MPI."""
+    if not EVOLVE or not shutil.which("mpirun"):
+        return False
+    libraries = subprocess.run(["ldd", EVOLVE], stdout=subprocess.PIPE, universal_newlines=True,
+                               check=False).stdout
+    return "libmpi" in libraries
+
+
+needs_mpi = pytest.mark.skipif(not has_mpi(), reason="evolve was built without MPI, or no mpirun")
+
+
+@needs_mpi
+def test_several_processes_learn_what_one_does(tmp_path):
+    options = ["--evaluations", "300", *SMALL]
+    assert evolve("--file", tmp_path / "one.db", *options).returncode == 0
+    subprocess.run(mpirun(3, "--file", tmp_path / "three.db", *options), check=True,
+                   timeout=HANGS_S, stdout=subprocess.DEVNULL)
+    assert (kill_resume.entries(tmp_path / "three.db")
+            == kill_resume.entries(tmp_path / "one.db"))
+
+
+@needs_mpi
+def test_wrong_options_are_told_once_and_end_all_processes(tmp_path):
+    result = subprocess.run(mpirun(3, "--file", tmp_path / "a.db", "--sed", 3), check=False,
+                            timeout=HANGS_S, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                            universal_newlines=True)
+    assert result.returncode == 2
+    assert result.stderr.count("did you mean 'seed'") == 1
+
+
+def children(pid):
+    """The processes that `pid` started, by what the system says of them."""
+    found = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], stdout=subprocess.PIPE,
+                           universal_newlines=True, check=True).stdout
+    return [int(word) for word in found.split()]
+
+
+@needs_mpi
+def test_a_process_that_dies_ends_all_and_leaves_a_file_to_go_on_with(tmp_path):
+    file = tmp_path / "a.db"
+    with subprocess.Popen(mpirun(2, "--file", file, *ENDLESS, "--checkpoint_period_s", "0.0"),
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                          universal_newlines=True) as process:
+        for line in process.stdout:
+            if line.startswith("Learning: 6"):
+                break
+        os.kill(max(children(process.pid)), signal.SIGKILL)
+        rest, _ = process.communicate(timeout=HANGS_S)
+    assert process.returncode != 0
+    assert "exited on signal 9" in rest
+    evaluations = max(1000, 2 * kill_resume.evaluations(file))
+    again = evolve("--file", file, "--resume", "--evaluations", evaluations, *SMALL)
+    assert again.returncode == 0, again.stderr
+    assert "Going on" in again.stdout

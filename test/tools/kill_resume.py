@@ -56,6 +56,13 @@ def entries(file: pathlib.Path) -> List[tuple]:
         return database.execute("SELECT * FROM entries ORDER BY id").fetchall()
 
 
+def evaluations(file: pathlib.Path) -> int:
+    """How many candidates the run in the file has evaluated."""
+    with sqlite3.connect(str(file)) as database:
+        row = database.execute("SELECT value FROM meta WHERE key = 'evaluations'").fetchone()
+    return int(row[0])
+
+
 def run_and_kill(plan: Plan, file: pathlib.Path, source: random.Random, outcome: Outcome) -> bool:
     """Resumes the run and kills it; returns False when it ended before that."""
     lines_wanted = source.randint(0, plan.most_lines)
@@ -68,7 +75,7 @@ def run_and_kill(plan: Plan, file: pathlib.Path, source: random.Random, outcome:
             last = process.stdout.readline()
             if not last:
                 break
-            lines += last.startswith(("Learning: ", "Validating: "))
+            lines += last.startswith(("Learning: ", "Verifying: ", "Validating: "))
         if delay_s:
             time.sleep(delay_s)
         ended = process.poll() is not None or not last and lines_wanted > 0

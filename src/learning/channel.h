@@ -1,0 +1,22 @@
+#pragma once
+
+#include <atomic>
+#include <optional>
+#include <string>
+
+namespace hexapod {
+
+/// A line to another process that works for this one, or for which this one works. Messages arrive
+/// whole and in order. Used by one thread.
+class Channel {
+ public:
+  virtual ~Channel() = default;
+
+  virtual void send(const std::string& message) = 0;
+
+  /// Waits for the next message. Nothing when `cancelled` is true and the other side still did not
+  /// answer soon after: it is taken for lost then, and the channel is of no use any more.
+  virtual std::optional<std::string> receive(const std::atomic<bool>& cancelled) = 0;
+};
+
+}  // namespace hexapod

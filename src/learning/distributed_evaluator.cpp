@@ -1,0 +1,119 @@
+#include "learning/distributed_evaluator.h"
+
+#include <exception>
+#include <numeric>
+#include <stdexcept>
+
+namespace hexapod {
+namespace {
+
+std::string nameOf(std::size_t worker) { return "Process " + std::to_string(worker + 1); }
+
+template <typename Value>
+std::vector<Value> part(const std::vector<Value>& values, std::size_t begin, std::size_t end) {
+  if (values.empty()) return {};
+  return {values.begin() + static_cast<std::ptrdiff_t>(begin),
+          values.begin() + static_cast<std::ptrdiff_t>(end)};
+}
+
+Task partOf(const Task& task, std::size_t begin, std::size_t end) {
+  return {task.is_second_look, part(task.genomes, begin, end), part(task.first, begin, end)};
+}
+
+}  // namespace
+
+DistributedEvaluator::DistributedEvaluator(Evaluator& local, const Introduction& own,
+                                           const Workers& workers,
+                                           const std::atomic<bool>& cancelled)
+    : local_(&local), workers_(workers), threads_{own.threads}, cancelled_(&cancelled) {
+  for (std::size_t w = 0; w < workers_.size(); ++w) {
+    const auto message = workers_[w]->receive(cancelled);
+    if (!message) throw EvaluationCancelled();
+    const Introduction introduction = introductionFrom(*message);
+    if (!introduction.problem.empty()) {
+      throw std::runtime_error(nameOf(w) + ": " + introduction.problem);
+    }
+    if (introduction.run_id != own.run_id) {
+      throw std::runtime_error(nameOf(w) + " was started for the run " + introduction.run_id +
+                               ", this one for " + own.run_id +
+                               ": give all processes the same options and the same robot files.");
+    }
+    threads_.push_back(introduction.threads);
+  }
+}
+
+std::vector<Outcome> DistributedEvaluator::evaluate(const std::vector<Genome>& genomes) {
+  return spread({false, genomes, {}});
+}
+
+std::vector<Outcome> DistributedEvaluator::lookAgain(const std::vector<Genome>& genomes,
+                                                     const std::vector<Outcome>& first) {
+  return spread({true, genomes, first});
+}
+
+std::size_t DistributedEvaluator::endOfPart(std::size_t p, std::size_t batch) const {
+  const auto total = std::accumulate(threads_.begin(), threads_.end(), std::int64_t{0});
+  const auto until = std::accumulate(
+      threads_.begin(), threads_.begin() + static_cast<std::ptrdiff_t>(p) + 1, std::int64_t{0});
+  return batch * static_cast<std::size_t>(until) / static_cast<std::size_t>(total);
+}
+
+std::vector<Outcome> DistributedEvaluator::spread(const Task& whole) {
+  const std::size_t batch = whole.genomes.size();
+  const std::size_t own = endOfPart(0, batch);
+  for (std::size_t w = 0; w < workers_.size(); ++w) {
+    const Task task = partOf(whole, endOfPart(w, batch), endOfPart(w + 1, batch));
+    workers_[w]->send(toMessage(task));
+  }
+  std::vector<Outcome> outcomes;
+  std::exception_ptr failure;
+  try {
+    outcomes = outcomesOf(*local_, partOf(whole, 0, own));
+  } catch (...) {
+    failure = std::current_exception();
+  }
+  // Whatever happened here, answers that are under way must not be taken for later ones.
+  std::string problems;
+  for (std::size_t w = 0; w < workers_.size(); ++w) {
+    const Result result = receiveFrom(w);
+    outcomes.insert(outcomes.end(), result.outcomes.begin(), result.outcomes.end());
+    remote_simulations_ += result.simulations;
+    if (!result.problem.empty()) problems += nameOf(w) + ": " + result.problem + "\n";
+  }
+  if (failure) std::rethrow_exception(failure);
+  if (!problems.empty()) throw std::runtime_error(problems);
+  return outcomes;
+}
+
+Result DistributedEvaluator::receiveFrom(std::size_t worker) {
+  const auto message = workers_[worker]->receive(*cancelled_);
+  if (!message) throw EvaluationCancelled();
+  return resultFrom(*message);
+}
+
+std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Task& task) {
+  if (task.genomes.empty()) return {};
+  return task.is_second_look ? evaluator.lookAgain(task.genomes, task.first)
+                             : evaluator.evaluate(task.genomes);
+}
+
+void serve(Channel& master, const Introduction& own, Evaluator& evaluator,
+           const std::function<std::int64_t()>& simulations) {
+  const std::atomic<bool> never{false};
+  master.send(toMessage(own));
+  while (true) {
+    const auto message = master.receive(never);
+    if (!message || message->empty()) return;
+    Result result;
+    const std::int64_t before = simulations();
+    try {
+      result.outcomes = outcomesOf(evaluator, taskFrom(*message));
+    } catch (const std::exception& error) {
+      result.problem = error.what();
+    }
+    result.simulations = simulations() - before;
+    master.send(toMessage(result));
+  }
+}
+
+}  // namespace hexapod

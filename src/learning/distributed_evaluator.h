@@ -1,0 +1,60 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "evolution/evaluator.h"
+#include "learning/channel.h"
+#include "learning/work_message.h"
+
+namespace hexapod {
+
+/// Spreads batches over this process and others that evaluate in the same way, in proportion to
+/// their threads. As an outcome depends on its genome alone, it makes no difference to the result
+/// who simulated what. Without other processes it is the local evaluator.
+class DistributedEvaluator : public Evaluator {
+ public:
+  using Workers = std::vector<std::shared_ptr<Channel>>;
+
+  /// Waits for the workers' introductions; `own` is this process'. Throws std::runtime_error for a
+  /// worker that cannot work or was started for another run (other options, another robot),
+  /// EvaluationCancelled when cancelled meanwhile. References must outlive the evaluator.
+  DistributedEvaluator(Evaluator& local, const Introduction& own, const Workers& workers,
+                       const std::atomic<bool>& cancelled);
+
+  /// Throw EvaluationCancelled when cancelled, or when a worker is lost after that, and
+  /// std::runtime_error when a worker could not do its part, naming it.
+  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override;
+  bool looksTwice() const override { return local_->looksTwice(); }
+  std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
+                                 const std::vector<Outcome>& first) override;
+
+  /// Behaviours simulated by the workers so far.
+  std::int64_t remoteSimulations() const { return remote_simulations_; }
+
+ private:
+  std::vector<Outcome> spread(const Task& whole);
+  Result receiveFrom(std::size_t worker);
+  /// The end of the part of process `p` of a batch; process 0 is this one.
+  std::size_t endOfPart(std::size_t p, std::size_t batch) const;
+
+  Evaluator* local_;
+  Workers workers_;
+  std::vector<std::int64_t> threads_;  // per process
+  const std::atomic<bool>* cancelled_;
+  std::int64_t remote_simulations_ = 0;
+};
+
+/// What one evaluator makes of a task.
+std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Task& task);
+
+/// The other side: introduces itself and does one task after another until an empty message comes.
+/// `simulations` counts what the evaluator has simulated so far.
+void serve(Channel& master, const Introduction& own, Evaluator& evaluator,
+           const std::function<std::int64_t()>& simulations);
+
+}  // namespace hexapod

@@ -1,0 +1,24 @@
+#include "learning/worker.h"
+
+#include <atomic>
+#include <memory>
+
+#include "learning/candidate_evaluator.h"
+
+namespace hexapod {
+
+void declineWork(Channel& session, const std::string& problem) {
+  const std::atomic<bool> never{false};
+  session.send(toMessage(Introduction{"", 1, problem}));
+  session.receive(never);
+}
+
+void workFor(Channel& session, const RobotDescription& robot, const LearnOptions& options) {
+  const auto worlds =
+      std::make_shared<WorldPool>(chooseEngine(options.engine, robot).engine, robot,
+                                  nominalPhysics(options), static_cast<int>(options.threads));
+  const std::atomic<bool> never{false};
+  CandidateEvaluator(worlds, options, never).serveFor(session);
+}
+
+}  // namespace hexapod
