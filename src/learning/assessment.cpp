@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "common/random.h"
-#include "geometry/arc.h"
+#include "repertoire/number_text.h"
 #include "simulation/robust_worlds.h"
 #include "simulation/rollout.h"
 
@@ -66,7 +66,8 @@ std::vector<Trial> heldOutTrials(const RobotDescription& robot, const Physics& n
 std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
                                     const BehaviorOptions& behavior,
                                     const std::vector<Entry>& entries,
-                                    const std::vector<Trial>& trials) {
+                                    const std::vector<Trial>& trials,
+                                    const std::atomic<bool>* cancelled) {
   std::vector<Physics> physics;
   for (const Trial& trial : trials) physics.push_back(trial.physics);
   RobustWorlds worlds(pool, physics, behavior.command_period_s);
@@ -76,9 +77,22 @@ std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
   for (std::size_t p = 0; p < trials.size(); ++p) {
     std::vector<RobustWorlds::Run> runs;
     for (const Behavior& one : behaviors) runs.push_back({p, &one, nullptr});
-    results.push_back(resultOf(trials[p].name, entries, worlds.play(runs)));
+    results.push_back(resultOf(trials[p].name, entries, worlds.play(runs, cancelled)));
   }
   return results;
+}
+
+std::map<std::string, std::string> factsOf(const std::vector<TrialResult>& results) {
+  std::map<std::string, std::string> facts;
+  for (const TrialResult& result : results) {
+    const std::string prefix = "resimulated." + result.name + ".";
+    facts[prefix + "sparseness_m"] = toText(result.metrics.sparseness_m);
+    facts[prefix + "median_orientation_error_rad"] =
+        toText(result.metrics.median_error_in_region_rad);
+    facts[prefix + "median_shift_m"] = toText(result.median_shift_m);
+    facts[prefix + "failed"] = std::to_string(result.failed);
+  }
+  return facts;
 }
 
 ChainResult chainAtRandom(const WorldPool& pool, const BehaviorOptions& behavior,

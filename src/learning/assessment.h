@@ -1,6 +1,8 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -32,11 +34,17 @@ struct TrialResult {
   double p90_shift_m = 0.0;
 };
 
-/// Plays every entry once from the stand in each trial. The pool gives engine and threads.
+/// Plays every entry once from the stand in each trial. The pool gives engine and threads. Throws
+/// EvaluationCancelled soon after `cancelled`, if given, turns true.
 std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
                                     const BehaviorOptions& behavior,
                                     const std::vector<Entry>& entries,
-                                    const std::vector<Trial>& trials);
+                                    const std::vector<Trial>& trials,
+                                    const std::atomic<bool>* cancelled = nullptr);
+
+/// The results as texts by name, in the form in which a repertoire keeps them among its facts:
+/// "resimulated.5 ms step.sparseness_m" and so on.
+std::map<std::string, std::string> factsOf(const std::vector<TrialResult>& results);
 
 /// How entries do one after another.
 struct ChainResult {

@@ -33,6 +33,9 @@ std::vector<Option> declareOptions(LearnOptions& options) {
       option("verify_with_ode", options.verify_with_ode,
              "Replay all entries of the engine reduced in ODE when learning is done, and leave out "
              "those that do not hold."),
+      option("resimulate", options.resimulate,
+             "When learning is done, play the entries in worlds that it did not use, too, and keep "
+             "among the file's facts what is left of them."),
       option("validation_trials", options.validation_trials,
              "Executions of each entry after random predecessors when learning is done; 0: none.",
              0, 1000),

@@ -26,6 +26,7 @@ struct LearnOptions {
   std::string engine = "reduced";
   double step_s = 0.015;
   bool verify_with_ode = true;
+  bool resimulate = true;
   std::int64_t validation_trials = 8;
   double checkpoint_period_s = 5.0;
   std::int64_t cached_genomes = 300000;

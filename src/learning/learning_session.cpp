@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "gait/behavior.h"
+#include "learning/assessment.h"
 #include "learning/verify.h"
 #include "repertoire/metrics.h"
 #include "repertoire/number_text.h"
@@ -106,8 +107,8 @@ std::string LearningSession::resumeRemark() const {
 bool LearningSession::run(const Hooks& hooks) {
   lap_s_ = saved_s_ = clock_();
   const bool was_done = phase_ == LearningPhase::kDone;
-  const bool finished =
-      was_done || (evolve(hooks) && verifyEntries(hooks) && validateEntries(hooks));
+  const bool finished = was_done || (evolve(hooks) && verifyEntries(hooks) &&
+                                     validateEntries(hooks) && resimulateEntries());
   if (finished) phase_ = LearningPhase::kDone;
   if (!was_done && evolution_.counters().generations > 0) save(hooks);
   if (hooks.progress) hooks.progress(*this);
@@ -210,6 +211,19 @@ bool LearningSession::validateEntries(const Hooks& hooks) {
       validate(*worlds_, options_.behavior, genomesOf(keptEntries()), validation, validation_hooks);
   if (stop_) return false;
   executions_ = std::move(executions);
+  return true;
+}
+
+bool LearningSession::resimulateEntries() {
+  if (!options_.resimulate) return true;
+  const auto trials = heldOutTrials(robot_, worlds_->physics());
+  try {
+    const auto results =
+        resimulate(worlds_, options_.behavior, repertoire().entries, trials, &stop_);
+    for (const auto& [name, text] : factsOf(results)) facts_[name] = text;
+  } catch (const EvaluationCancelled&) {
+    return false;
+  }
   return true;
 }
 

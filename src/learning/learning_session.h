@@ -102,6 +102,7 @@ class LearningSession {
   bool evolve(const Hooks& hooks);
   bool verifyEntries(const Hooks& hooks);
   bool validateEntries(const Hooks& hooks);
+  bool resimulateEntries();
   std::vector<Entry> keptEntries() const;
   void recordHistory();
   bool checkpointIsDue() const;

@@ -53,6 +53,20 @@ TEST_F(RobustSession, OffersTwinsAndCountsWhatItSimulates) {
   EXPECT_LE(simulations, 60 * 4);
 }
 
+TEST_F(RobustSession, KeepsWhatIsLeftOfItInOtherWorlds) {
+  LearnOptions options = robustRun("");
+  options.behavior.gait_duration_s = 3.0;
+  options.resimulate = true;
+  const Repertoire repertoire = undisturbed(options);
+  const auto fact = [&](const std::string& name) {
+    return std::stod(repertoire.facts.at("resimulated." + name));
+  };
+  EXPECT_EQ(fact("nominal.failed"), 0.0);
+  EXPECT_GT(fact("5 ms step.median_shift_m"), 0.0);
+  EXPECT_GT(fact("torque -20 %.sparseness_m"), 0.0);
+  EXPECT_GE(fact("mu 0.7.median_orientation_error_rad"), 0.0);
+}
+
 TEST_F(RobustSession, OfTheSameRobotIsAnotherRunThanANominalOne) {
   EXPECT_NE(undisturbed(robustRun("")).run_id, undisturbed(smallRun("")).run_id);
 }
