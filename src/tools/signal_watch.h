@@ -7,7 +7,8 @@
 namespace hexapod {
 
 /// Turns SIGINT, SIGTERM and SIGHUP into a call, for as long as it lives; a second one ends the
-/// process on the spot. A SIGHUP that the process was started to ignore (nohup) stays ignored.
+/// process on the spot. Those that the process was started to ignore (by nohup, or in the
+/// background of a script) stay ignored.
 ///
 /// To be created before any other thread, because they inherit what it blocks.
 class SignalWatch {
