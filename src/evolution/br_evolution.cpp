@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "evolution/breeder.h"
+
 namespace hexapod {
 namespace {
 
@@ -37,34 +38,34 @@ void requireGeneCount(const Genome& genome, std::size_t gene_count, const std::s
 
 }  // namespace
 
-BrEvolution::BrEvolution(const EvolutionOptions& options, std::size_t gene_count,
+BrEvolution::BrEvolution(const EvolutionOptions& options, const GenomeSpace& space,
                          Evaluator& evaluator, const Random& random,
                          std::vector<Symmetry> symmetries)
     : options_(options),
-      gene_count_(gene_count),
+      space_(space),
       evaluator_(&evaluator),
       random_(random),
       novelty_threshold_m_(options.novelty_threshold_m) {
   requireValid(options);
   if (options.offer_twins) symmetries_ = std::move(symmetries);
-  if (gene_count == 0) throw std::invalid_argument("An evolution needs genomes of 1 gene or more.");
+  requireValid(space);
 }
 
-BrEvolution::BrEvolution(const EvolutionOptions& options, std::size_t gene_count,
+BrEvolution::BrEvolution(const EvolutionOptions& options, const GenomeSpace& space,
                          Evaluator& evaluator, const EvolutionState& state,
                          std::vector<Symmetry> symmetries)
-    : BrEvolution(options, gene_count, evaluator, state.random, std::move(symmetries)) {
+    : BrEvolution(options, space, evaluator, state.random, std::move(symmetries)) {
   next_id_ = state.next_id;
   novelty_threshold_m_ = state.novelty_threshold_m;
   counters_ = state.counters;
   population_ = state.population;
   archive_ = Archive(state.archive);
   for (const Individual& individual : population_) {
-    requireGeneCount(individual.genotype, gene_count,
+    requireGeneCount(individual.genotype, space.gene_count,
                      "Individual " + std::to_string(individual.id));
   }
   for (const Entry& entry : state.archive) {
-    requireGeneCount(entry.genome, gene_count, "Entry " + std::to_string(entry.id));
+    requireGeneCount(entry.genome, space.gene_count, "Entry " + std::to_string(entry.id));
   }
 }
 
@@ -101,7 +102,7 @@ EvolutionState BrEvolution::state() const {
 }
 
 std::vector<Individual> BrEvolution::nextCandidates(std::size_t count, Random& random) const {
-  const Breeder breeder(options_, gene_count_, population_, archive_);
+  const Breeder breeder(options_, space_, population_, archive_);
   std::vector<Individual> candidates(count);
   for (std::size_t i = 0; i < count; ++i) {
     Individual& candidate = candidates[i];
@@ -109,7 +110,7 @@ std::vector<Individual> BrEvolution::nextCandidates(std::size_t count, Random& r
     candidate.id = next_id_ + static_cast<std::int64_t>(i * (1 + symmetries_.size()));
     candidate.evaluation = counters_.evaluations + static_cast<std::int64_t>(i) + 1;
     candidate.genotype = breeder.next(random);
-    candidate.genome = canonical(candidate.genotype);
+    candidate.genome = space_.canonical(candidate.genotype);
   }
   return candidates;
 }

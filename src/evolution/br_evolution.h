@@ -7,6 +7,7 @@
 
 #include "evolution/evaluator.h"
 #include "evolution/evolution_options.h"
+#include "evolution/genome_space.h"
 #include "evolution/individual.h"
 #include "evolution/neighbourhood.h"
 #include "gait/symmetry.h"
@@ -52,15 +53,15 @@ namespace hexapod {
 /// Same options, evaluator and generator, same archive. Not thread-safe.
 class BrEvolution {
  public:
-  /// A new run. Throws std::invalid_argument naming an option that is out of range, or gene_count
-  /// 0. The evaluator must outlive the evolution.
+  /// A new run. Throws std::invalid_argument naming an option, or a number of the space, that is
+  /// out of range. The evaluator must outlive the evolution.
   /// `symmetries` of the robot give twins.
-  BrEvolution(const EvolutionOptions& options, std::size_t gene_count, Evaluator& evaluator,
+  BrEvolution(const EvolutionOptions& options, const GenomeSpace& space, Evaluator& evaluator,
               const Random& random, std::vector<Symmetry> symmetries = {});
 
   /// Goes on from state() of another evolution with the same options and evaluator.
   /// Throws std::invalid_argument as above, or when the state does not fit.
-  BrEvolution(const EvolutionOptions& options, std::size_t gene_count, Evaluator& evaluator,
+  BrEvolution(const EvolutionOptions& options, const GenomeSpace& space, Evaluator& evaluator,
               const EvolutionState& state, std::vector<Symmetry> symmetries = {});
 
   /// One generation: evaluates as many candidates as the population has, or `most_candidates` (>=
@@ -92,7 +93,7 @@ class BrEvolution {
 
   EvolutionOptions options_;
   std::vector<Symmetry> symmetries_;  // none unless twins are offered
-  std::size_t gene_count_;
+  GenomeSpace space_;
   Evaluator* evaluator_;
   Random random_;
   std::int64_t next_id_ = 1;

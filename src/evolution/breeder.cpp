@@ -4,11 +4,11 @@
 
 namespace hexapod {
 
-Breeder::Breeder(const EvolutionOptions& options, std::size_t gene_count,
+Breeder::Breeder(const EvolutionOptions& options, const GenomeSpace& space,
                  const std::vector<Individual>& population, const Archive& archive)
     : mutation_rate_(options.mutation_rate),
       archive_parents_(options.archive_parents),
-      gene_count_(gene_count),
+      space_(space),
       population_(population) {
   standings_.reserve(population.size());
   for (const Individual& individual : population) standings_.push_back(individual.standing);
@@ -19,10 +19,8 @@ Breeder::Breeder(const EvolutionOptions& options, std::size_t gene_count,
 }
 
 Genome Breeder::next(Random& random) const {
-  if (!population_.empty()) return mutated(parent(random), random);
-  Genome genotype(gene_count_);
-  for (auto& level : genotype) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return genotype;
+  if (population_.empty()) return space_.drawn(random);
+  return space_.mutated(parent(random), mutation_rate_, random);
 }
 
 const Genome& Breeder::parent(Random& random) const {
@@ -30,15 +28,6 @@ const Genome& Breeder::parent(Random& random) const {
     return entries_[random.below(entries_.size())]->genome;
   }
   return population_[tournament(standings_, random)].genotype;
-}
-
-Genome Breeder::mutated(const Genome& genotype, Random& random) const {
-  Genome child = genotype;
-  for (auto& level : child) {
-    if (!random.chance(mutation_rate_)) continue;
-    level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  }
-  return child;
 }
 
 }  // namespace hexapod

@@ -8,6 +8,9 @@
 namespace hexapod {
 namespace {
 
+// Of a gene; a genome keeps them in bytes.
+constexpr std::size_t kMostLevels = 256;
+
 /// Indices 0 .. count - 1 sorted by `less`, equals by index.
 template <typename Less>
 std::vector<std::size_t> sortedIndices(std::size_t count, Less less) {
@@ -68,7 +71,7 @@ std::vector<double> genotypicDiversities(const std::vector<Genome>& genomes, con
   if (front.size() < 2) return std::vector<double>(front.size(), 0.0);
   // A member differs in a gene from all members but those with its level: counting levels once
   // replaces comparing all pairs.
-  std::vector<std::array<std::size_t, kGeneLevels>> counts(genomes[front.front()].size());
+  std::vector<std::array<std::size_t, kMostLevels>> counts(genomes[front.front()].size());
   for (auto& count : counts) count.fill(0);
   for (const std::size_t i : front) {
     for (std::size_t gene = 0; gene < counts.size(); ++gene) ++counts[gene][genomes[i][gene]];
