@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "evolution/breeder.h"
+#include "evolution/selection.h"
 
 namespace hexapod {
 namespace {
@@ -93,7 +94,8 @@ void BrEvolution::step(std::int64_t most_candidates) {
   const std::int64_t added_before = counters_.added;
   const std::vector<Objectives> objectives = offerToArchive(pool, is_news);
   refineNovelty(counters_.added - added_before, size);
-  population_ = selected(pool, objectives);
+  population_ = survivors(pool, objectives, static_cast<std::size_t>(options_.population_size),
+                          options_.diversity);
   ++counters_.generations;
 }
 
@@ -226,35 +228,6 @@ void BrEvolution::refineNovelty(std::int64_t added, std::size_t candidates) {
   if (novelty_threshold_m_ <= least_m || static_cast<double>(added) >= enough) return;
   novelty_threshold_m_ =
       std::max(least_m, novelty_threshold_m_ * (1.0 - options_.novelty_refinement));
-}
-
-std::vector<Individual> BrEvolution::selected(const std::vector<Individual>& pool,
-                                              const std::vector<Objectives>& objectives) const {
-  const bool crowding = options_.diversity == "crowding";
-  const auto size = static_cast<std::size_t>(options_.population_size);
-  std::vector<Genome> genotypes;
-  genotypes.reserve(pool.size());
-  for (const Individual& individual : pool) genotypes.push_back(individual.genotype);
-  const std::vector<Front> fronts = nonDominatedFronts(objectives);
-  std::vector<Individual> survivors;
-  for (std::size_t rank = 0; rank < fronts.size() && survivors.size() < size; ++rank) {
-    const std::vector<double> diversities = crowding
-                                                ? crowdingDistances(objectives, fronts[rank])
-                                                : genotypicDiversities(genotypes, fronts[rank]);
-    std::vector<Individual> front;
-    for (std::size_t k = 0; k < fronts[rank].size(); ++k) {
-      front.push_back(pool[fronts[rank][k]]);
-      front.back().standing = {rank, diversities[k]};
-    }
-    // Only the front that no longer fits is cut; sorting the others changes nothing but their
-    // order.
-    std::sort(front.begin(), front.end(), [](const Individual& a, const Individual& b) {
-      return isBetter(a.standing, b.standing) || (!isBetter(b.standing, a.standing) && a.id < b.id);
-    });
-    front.resize(std::min(front.size(), size - survivors.size()));
-    survivors.insert(survivors.end(), front.begin(), front.end());
-  }
-  return survivors;
 }
 
 }  // namespace hexapod

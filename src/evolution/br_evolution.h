@@ -88,8 +88,6 @@ class BrEvolution {
                                          const std::vector<bool>& is_news);
   OfferResult offer(const Individual& individual, double novelty_m);
   void refineNovelty(std::int64_t added, std::size_t candidates);
-  std::vector<Individual> selected(const std::vector<Individual>& pool,
-                                   const std::vector<Objectives>& objectives) const;
 
   EvolutionOptions options_;
   std::vector<Symmetry> symmetries_;  // none unless twins are offered

@@ -34,10 +34,12 @@ FileLock::FileLock(const std::string& file) : lock_file_(file + ".lock") {
       const std::string owner = errno == EWOULDBLOCK ? ownerNoted(descriptor_) : "";
       const std::string reason = std::strerror(errno);
       ::close(descriptor_);
-      throw std::runtime_error(
-          owner.empty() ? "The lock file " + lock_file_ + " cannot be locked: " + reason + "."
-                        : "The file " + file + " is being written by " + owner +
-                              ": stop it first, or choose another file.");
+      if (owner.empty()) {
+        throw std::runtime_error("The lock file " + lock_file_ + " cannot be locked: " + reason +
+                                 ".");
+      }
+      throw FileTaken("The file " + file + " is being written by " + owner +
+                      ": stop it first, or choose another file.");
     }
     // Between open and lock the previous owner may have removed the lock file: then it locks
     // nobody.

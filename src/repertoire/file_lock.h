@@ -1,8 +1,15 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 namespace hexapod {
+
+/// Thrown for a file that another process, or another part of this one, has claimed.
+class FileTaken : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
 
 /// Exclusive claim on a file between processes (and within one), for as long as this lives.
 ///
@@ -10,8 +17,8 @@ namespace hexapod {
 /// is killed the system frees the claim and the left-over lock file is in nobody's way.
 class FileLock {
  public:
-  /// Throws std::runtime_error naming the owner when the file is taken, or why there can be no
-  /// lock.
+  /// Throws FileTaken naming the owner when the file is taken, or std::runtime_error telling
+  /// why there can be no lock.
   explicit FileLock(const std::string& file);
   ~FileLock();
   FileLock(const FileLock&) = delete;

@@ -9,6 +9,7 @@
 #include "learning/learn_options.h"
 #include "repertoire/repertoire_file.h"
 #include "robot/load_robot.h"
+#include "tools/command_line.h"
 #include "tools/package_files.h"
 
 namespace hexapod {
@@ -46,16 +47,11 @@ std::vector<Option> declareOptions(AssessOptions& options) {
           option("robot_config", options.robot_config, "What the robot needs beside its URDF.")};
 }
 
-void applyCommandLine(const std::vector<std::string>& words, AssessOptions& options) {
-  std::map<std::string, OptionValue> values;
-  for (std::size_t i = 0; i < words.size(); i += 2) {
-    if (words[i].rfind("--", 0) != 0 || i + 1 == words.size()) {
-      throw std::invalid_argument("'" + words[i] + "' is no option with a value.\n" + kUsage +
-                                  describeOptions(declareOptions(options)));
-    }
-    values[words[i].substr(2)] = optionValueFromText(words[i + 1]);
-  }
-  applyOptions(declareOptions(options), values, "command line");
+AssessOptions assessOptionsFrom(const std::vector<std::string>& words) {
+  AssessOptions options;
+  applyOptions(declareOptions(options), valuesFromCommandLine(words, declareOptions(options)),
+               kCommandLine);
+  return options;
 }
 
 /// The options of the run that decide how its entries are played.
@@ -137,9 +133,8 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    hexapod::AssessOptions options;
-    hexapod::applyCommandLine({argv + 2, argv + argc}, options);
-    hexapod::assess(hexapod::loadRepertoire(argv[1]), options);
+    hexapod::assess(hexapod::loadRepertoire(argv[1]),
+                    hexapod::assessOptionsFrom({argv + 2, argv + argc}));
   } catch (const std::exception& error) {
     std::cerr << error.what() << "\n";
     return 1;

@@ -3,10 +3,8 @@
 #include <sys/resource.h>
 #include <time.h>
 
-#include <fstream>
-#include <thread>
-
 #include "simulation/batch_stepper.h"
+#include "tools/machine.h"
 
 namespace hexapod {
 namespace {
@@ -15,18 +13,6 @@ double seconds(clockid_t clock) {
   timespec time = {};
   clock_gettime(clock, &time);
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
-
-/// What follows the key and its separators in the first line that starts with it.
-std::string valueIn(const std::string& file, const std::string& key) {
-  std::ifstream stream(file);
-  for (std::string line; std::getline(stream, line);) {
-    if (line.rfind(key, 0) != 0) continue;
-    const std::size_t begin = line.find_first_not_of(" \t:=\"", key.size());
-    const std::size_t end = line.find_last_not_of(" \t\"");
-    if (begin != std::string::npos) return line.substr(begin, end - begin + 1);
-  }
-  return "unknown";
 }
 
 std::string instructionSets() {
@@ -40,10 +26,9 @@ std::string instructionSets() {
 }  // namespace
 
 std::string describeMachine() {
-  return "processor: " + valueIn("/proc/cpuinfo", "model name") + ", " +
-         std::to_string(std::thread::hardware_concurrency()) +
-         " cores\nload (1, 5, 15 minutes): " + valueIn("/proc/loadavg", "") +
-         "\nsystem: " + valueIn("/etc/os-release", "PRETTY_NAME") + "\ncompiler: " +
+  return "processor: " + machineName() +
+         "\nload (1, 5, 15 minutes): " + firstValueIn("/proc/loadavg", "") +
+         "\nsystem: " + firstValueIn("/etc/os-release", "PRETTY_NAME") + "\ncompiler: " +
 #ifdef __clang__
          "clang " __clang_version__
 #else

@@ -1,7 +1,6 @@
 #include "tools/bench_options.h"
 
-#include <map>
-#include <stdexcept>
+#include "tools/command_line.h"
 
 namespace hexapod {
 
@@ -18,18 +17,9 @@ std::vector<Option> declareOptions(BenchOptions& options) {
 }
 
 BenchOptions benchOptionsFrom(const std::vector<std::string>& arguments) {
-  std::map<std::string, OptionValue> values;
-  for (std::size_t i = 0; i < arguments.size(); ++i) {
-    const std::string& word = arguments[i];
-    if (word.rfind("--", 0) != 0) {
-      throw std::invalid_argument("command line: '" + word +
-                                  "' is no option; expected --name value, e.g. --seed 3.");
-    }
-    const bool is_flag = i + 1 == arguments.size() || arguments[i + 1].rfind("--", 0) == 0;
-    values[word.substr(2)] = is_flag ? OptionValue(true) : optionValueFromText(arguments[++i]);
-  }
   BenchOptions options;
-  applyOptions(declareOptions(options), values, "command line");
+  applyOptions(declareOptions(options), valuesFromCommandLine(arguments, declareOptions(options)),
+               kCommandLine);
   return options;
 }
 

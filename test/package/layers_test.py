@@ -15,8 +15,9 @@ STRANGERS = [
     ("geometry", {"robot", "gait", "simulation", "repertoire", "evolution", "planning"}),
     ("repertoire", {"evolution", "simulation", "planning", "execution"}),
     ("evolution", {"simulation", "planning", "execution"}),
-    ("planning", {"evolution", "simulation", "learning"}),
-    ("execution", {"evolution", "simulation", "learning"}),
+    ("learning", {"study"}),
+    ("planning", {"evolution", "simulation", "learning", "study"}),
+    ("execution", {"evolution", "simulation", "learning", "study"}),
 ]
 
 
