@@ -1,0 +1,55 @@
+#include "tools/study_command.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+namespace hexapod {
+namespace {
+
+TEST(StudyCommand, IsThePapersStudyUnlessTold) {
+  const StudyCommand command = studyCommandFrom({});
+  EXPECT_EQ(command.runs, 40);
+  EXPECT_EQ(command.evaluations, 1000000);
+  EXPECT_EQ(command.study.targets, 100);
+  EXPECT_EQ(command.study.behavior.end_pose, EndPose::kAfterGait);
+  EXPECT_FALSE(command.study.evolution.offer_twins);
+  EXPECT_EQ(plansOf(command).size(), 120u);
+}
+
+TEST(StudyCommand, QuickIsSmallerUnlessTold) {
+  EXPECT_LT(studyCommandFrom({"quick:=true"}).evaluations, 100000);
+  const StudyCommand command = studyCommandFrom({"--quick", "--runs", "7"});
+  EXPECT_EQ(command.runs, 7);
+  EXPECT_LT(command.evaluations, 100000);
+}
+
+TEST(StudyCommand, DoesAllAlgorithmsOfASeedBeforeTheNext) {
+  const auto plans = plansOf(
+      studyCommandFrom({"--runs", "2", "--first_seed", "5", "--algorithms", "targets,map_elites"}));
+  ASSERT_EQ(plans.size(), 4u);
+  EXPECT_EQ(plans[0].name(), "targets_5_1000000");
+  EXPECT_EQ(plans[1].name(), "map_elites_5_1000000");
+  EXPECT_EQ(plans[2].name(), "targets_6_1000000");
+}
+
+TEST(StudyCommand, TakesTheStudysOptionsFromAPresetOfTheLearner) {
+  EXPECT_TRUE(studyCommandFrom({"--preset", "learn"}).study.evolution.offer_twins);
+  EXPECT_FALSE(studyCommandFrom({"--preset", "learn", "--offer_twins", "false"})
+                   .study.evolution.offer_twins);
+}
+
+TEST(StudyCommand, NamesTheAlgorithmsThereAre) {
+  for (const std::string wrong : {"annealing", "targets,targets", "targets,,map_elites"}) {
+    try {
+      studyCommandFrom({"--algorithms", wrong});
+      FAIL() << wrong;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find("br_evolution,targets,map_elites"),
+                std::string::npos);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace hexapod

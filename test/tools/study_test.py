@@ -1,0 +1,90 @@
+"""The program study: killed, hindered, two at a time; what is in its folder afterwards."""
+import csv
+import os
+import pathlib
+import subprocess
+import time
+
+STUDY = os.environ["STUDY"]
+NAMES = sorted(f"{algorithm}_{seed}_400" for algorithm in ("br_evolution", "targets", "map_elites")
+               for seed in (1, 2))
+TINY = ["--runs", "2", "--evaluations", "400", "--population_size", "20", "--targets", "3",
+        "--gait_duration_s", "0.6"]
+
+
+def study(folder, *options, **keywords):
+    return subprocess.run([STUDY, "--folder", str(folder), *TINY, *options], check=False,
+                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+                          **keywords)
+
+
+def runs(folder):
+    return sorted(path.name for path in pathlib.Path(folder).iterdir()
+                  if path.is_dir() and not path.name.startswith("."))
+
+
+def entries(folder):
+    return {name: (pathlib.Path(folder) / name / "entries.csv").read_text() for name in NAMES}
+
+
+def test_every_run_has_its_files(tmp_path):
+    done = study(tmp_path)
+    assert done.returncode == 0, done.stderr
+    assert runs(tmp_path) == NAMES
+    with open(tmp_path / "targets_1_400" / "history.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert {row["repertoire"] for row in rows} == {"nearest", "orientation"}
+    assert rows[-1]["evaluations"] == "400"
+    with open(tmp_path / "k_means.csv", encoding="utf-8") as file:
+        sparseness = [float(row["sparseness_m"]) for row in csv.DictReader(file)]
+    assert len(sparseness) == 8 and sparseness == sorted(sparseness, reverse=True)
+
+
+def test_a_killed_study_goes_on_and_repeats_nothing(tmp_path):
+    undisturbed, killed = tmp_path / "undisturbed", tmp_path / "killed"
+    assert study(undisturbed).returncode == 0
+    with subprocess.Popen([STUDY, "--folder", str(killed), "--jobs", "1", *TINY],
+                          stdout=subprocess.DEVNULL) as process:
+        while not (killed / NAMES[0]).exists():
+            assert process.poll() is None
+            time.sleep(0.001)
+        process.kill()
+    finished = {name: (killed / name / "run.csv").stat().st_mtime_ns for name in runs(killed)}
+    assert 1 <= len(finished) < len(NAMES)
+    assert study(killed).returncode == 0
+    assert entries(killed) == entries(undisturbed)
+    for name, written in finished.items():
+        assert (killed / name / "run.csv").stat().st_mtime_ns == written
+
+
+def test_a_run_that_fails_is_told_and_the_rest_goes_on(tmp_path):
+    in_the_way = tmp_path / "map_elites_1_400"
+    in_the_way.write_text("not a run")
+    done = study(tmp_path)
+    assert done.returncode == 1
+    assert "map_elites_1_400 failed" in done.stderr and "1 runs failed" in done.stderr
+    assert runs(tmp_path) == [name for name in NAMES if name != "map_elites_1_400"]
+    assert (tmp_path / "map_elites_1_400.failed").read_text()
+    in_the_way.unlink()
+    assert study(tmp_path).returncode == 0
+    assert runs(tmp_path) == NAMES
+    assert not (tmp_path / "map_elites_1_400.failed").exists()
+
+
+def test_two_studies_share_a_folder(tmp_path):
+    command = [STUDY, "--folder", str(tmp_path), "--jobs", "1", *TINY]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, universal_newlines=True) as one:
+        other = subprocess.run(command, check=True, stdout=subprocess.PIPE,
+                               universal_newlines=True)
+        lines = one.communicate()[0] + other.stdout
+    assert one.returncode == 0
+    assert runs(tmp_path) == NAMES
+    for name in NAMES:
+        assert lines.count(name + ":") == 1
+
+
+def test_other_options_are_refused(tmp_path):
+    assert study(tmp_path).returncode == 0
+    done = study(tmp_path, "--mutation_rate", "0.3")
+    assert done.returncode == 2
+    assert "option.mutation_rate: 0.1 there, 0.3 now" in done.stderr
