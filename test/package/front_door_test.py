@@ -54,8 +54,8 @@ def names_of(functions):
 def test_help_names_every_verb(arguments):
     result = run(ROOT, *arguments)
     assert result.returncode == 0
-    for verb in ("demo", "learn", "evolve", "walk", "view", "test", "bench", "setup",
-                 "help"):
+    for verb in ("demo", "learn", "evolve", "walk", "view", "reproduce", "test", "bench",
+                 "setup", "help"):
         assert f"\n  {verb} " in result.stdout
 
 
@@ -66,7 +66,7 @@ def test_unknown_verb_is_refused_with_the_help():
     assert result.stdout == ""
 
 
-@pytest.mark.parametrize("verb", ["setup", "demo", "evolve", "test", "bench"])
+@pytest.mark.parametrize("verb", ["setup", "demo", "evolve", "reproduce", "test", "bench"])
 def test_without_root_it_prints_the_one_line_to_ask_for(checkout, verb):
     result = run(checkout, verb, functions=NOTHING_INSTALLED + NO_ROOT)
     assert result.returncode == 1
@@ -174,3 +174,35 @@ def test_a_failed_build_shows_its_log_and_starts_nothing(checkout):
     assert result.returncode == 1
     assert "what the compiler said" in result.stderr and "build.log" in result.stderr
     assert result.stdout == ""
+
+
+@pytest.fixture(name="study_checkout")
+def fixture_study_checkout(checkout):
+    """A checkout whose study and report tell how they were called, and end as they are told."""
+    program = checkout / "build" / "devel" / "lib" / "hexapod_repertoire" / "study"
+    program.parent.mkdir(parents=True)
+    program.write_text('#!/bin/sh\necho "study: $*"\nexit ${STUDY_ENDS:-0}\n')
+    program.chmod(0o755)
+    report = checkout / "src" / "hexapod_repertoire" / "study_report.py"
+    report.parent.mkdir(parents=True)
+    (report.parent / "__init__.py").touch()
+    report.write_text("import sys\nprint('report:', *sys.argv[1:])\n")
+    return checkout
+
+
+@pytest.mark.parametrize("arguments, folder", [
+    (["quick:=true"], "study"), (["folder:=/data/a"], "/data/a"), (["--folder", "b"], "b"),
+    (["--quick", "--folder=c"], "c")])
+def test_reproduce_reports_on_the_folder_of_the_study(study_checkout, arguments, folder):
+    result = run(study_checkout, "reproduce", *arguments, functions=EVERYTHING_INSTALLED + NO_BUILD)
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.splitlines() == [f"study: {' '.join(arguments)}", f"report: {folder}"]
+
+
+@pytest.mark.parametrize("code, reported", [("1", True), ("2", False)])
+def test_reproduce_reports_on_what_is_left_of_a_study_but_not_on_a_mistake(
+        study_checkout, code, reported):
+    result = run(study_checkout, "reproduce", functions=EVERYTHING_INSTALLED + NO_BUILD,
+                 STUDY_ENDS=code)
+    assert str(result.returncode) == code
+    assert ("report:" in result.stdout) == reported
