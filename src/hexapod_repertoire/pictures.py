@@ -37,19 +37,21 @@ def orientation_errors_deg(poses: np.ndarray) -> np.ndarray:
     return np.degrees(np.abs(np.arctan2(np.sin(difference), np.cos(difference))))
 
 
-def _ticks(axes, poses: np.ndarray, headings: np.ndarray, length_m: float, **style) -> None:
-    ends = poses[:, :2] + length_m * np.stack([np.cos(headings), np.sin(headings)], axis=1)
-    # x forward is drawn upwards and y left to the left, as one looks down on the robot.
-    axes.plot(
-        np.stack([-poses[:, 1], -ends[:, 1]]), np.stack([poses[:, 0], ends[:, 0]]), **style
-    )
+def draw_ticks(axes, poses: np.ndarray, headings: np.ndarray, length_m: float, **style) -> None:
+    """Draws a line from each pose, shape (n, 3) or (n, 2), along its heading, shape (n,) [rad]."""
+    starts = poses[:, :2]
+    ends = starts + length_m * np.stack([np.cos(headings), np.sin(headings)], axis=1)
+    # One line with gaps at NaN; x forward is drawn upwards and y left to the left, as one looks
+    # down on the robot.
+    points = np.stack([starts, ends, np.full_like(starts, np.nan)], axis=1).reshape(-1, 2)
+    axes.plot(-points[:, 1], points[:, 0], **style)
 
 
 def draw_repertoire(axes, poses: np.ndarray) -> None:
     """Draws end poses, shape (n, 3), as figure 3 of the paper does: colour is the error."""
     poses = np.asarray(poses, dtype=float).reshape(-1, 3)
-    _ticks(axes, poses, arc_heading(poses[:, 0], poses[:, 1]), 0.03, color="0.75", linewidth=0.8)
-    _ticks(axes, poses, poses[:, 2], 0.03, color="tab:blue", linewidth=0.8)
+    draw_ticks(axes, poses, arc_heading(poses[:, 0], poses[:, 1]), 0.03, color="0.75", linewidth=0.8)
+    draw_ticks(axes, poses, poses[:, 2], 0.03, color="tab:blue", linewidth=0.8)
     dots = axes.scatter(
         -poses[:, 1], poses[:, 0], c=orientation_errors_deg(poses), s=9, zorder=3,
         cmap="viridis_r", vmin=0.0, vmax=WORST_SHOWN_ERROR_DEG,
@@ -57,7 +59,7 @@ def draw_repertoire(axes, poses: np.ndarray) -> None:
     axes.figure.colorbar(dots, ax=axes, label="orientation error [deg]", extend="max", shrink=0.8)
     axes.plot(0, 0, marker="^", color="black", markersize=9)
     axes.set_title(f"{len(poses)} behaviours: end pose after each")
-    _finish(axes)
+    finish_top_view(axes)
 
 
 def draw_walks(axes, walks: Sequence[Walk]) -> None:
@@ -77,10 +79,11 @@ def draw_walks(axes, walks: Sequence[Walk]) -> None:
     axes.set_title("planned (dashed) and walked (solid)")
     if walks:
         axes.legend(loc="best", fontsize=8)
-    _finish(axes)
+    finish_top_view(axes)
 
 
-def _finish(axes) -> None:
+def finish_top_view(axes) -> None:
+    """Labels axes of a plane seen from above, the robot heading upwards."""
     axes.set_aspect("equal")
     axes.set_xlabel("right [m]")
     axes.set_ylabel("forward [m]")
