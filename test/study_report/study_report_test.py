@@ -234,6 +234,7 @@ def test_a_study_of_one_algorithm_has_a_report(tmp_path):
     assert row_of(table, *PAPER[21])["verdict"] == "not in k_means.csv"
 
 
+@pytest.mark.usefixtures("without_figures")
 def test_repertoires_of_any_name_are_taken(tmp_path, monkeypatch):
     monkeypatch.setitem(made_study.REPERTOIRES, "my_own", ["some_name"])
     monkeypatch.setitem(made_study.ENDS, "some_name", (0.03, 0.02, 50))
