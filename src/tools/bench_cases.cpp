@@ -1,9 +1,11 @@
 #include "tools/bench_cases.h"
 
-#include "common/random.h"
+#include <cmath>
 
 namespace hexapod {
 namespace {
+
+constexpr double kReach_m = 0.9;
 
 constexpr double kBodyMass_kg = 1.031;
 constexpr double kFemurMass_kg = 0.184;
@@ -55,6 +57,28 @@ std::vector<Genome> randomGenomes(std::size_t count, std::size_t gene_count, std
     genome = canonical(genome);
   }
   return genomes;
+}
+
+Outcome anywhere(Random& random) {
+  const double radius_m = kReach_m * std::sqrt(random.uniform());
+  const double direction_rad = random.uniform(-M_PI, M_PI);
+  return walkedTo({radius_m * std::cos(direction_rad), radius_m * std::sin(direction_rad),
+                   random.uniform(-M_PI, M_PI)});
+}
+
+std::vector<Entry> spreadArchive(std::size_t size, std::size_t gene_count) {
+  Random random(3);
+  std::vector<Entry> entries;
+  for (const Genome& genome : randomGenomes(size, gene_count, 4)) {
+    Entry entry;
+    entry.id = static_cast<std::int64_t>(1000000000 + entries.size());
+    entry.genome = genome;
+    const Outcome outcome = anywhere(random);
+    entry.end_pose = outcome.end_pose;
+    entry.orientation_error_rad = 0.01 * outcome.orientation_error_rad;
+    entries.push_back(entry);
+  }
+  return entries;
 }
 
 }  // namespace hexapod

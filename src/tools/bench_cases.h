@@ -3,7 +3,10 @@
 #include <string>
 #include <vector>
 
+#include "common/random.h"
 #include "gait/genome.h"
+#include "gait/outcome.h"
+#include "repertoire/entry.h"
 #include "robot/robot_description.h"
 #include "simulation/world.h"
 
@@ -26,5 +29,12 @@ RobotDescription laterRobot(RobotDescription robot);
 
 /// Genomes drawn uniformly, in canonical form.
 std::vector<Genome> randomGenomes(std::size_t count, std::size_t gene_count, std::uint64_t seed);
+
+/// An outcome that ends anywhere on a disc of 0.9 m, with any heading.
+Outcome anywhere(Random& random);
+
+/// So many entries that end anywhere on that disc, as well aligned as in a repertoire that has been
+/// worked on for long.
+std::vector<Entry> spreadArchive(std::size_t size, std::size_t gene_count);
 
 }  // namespace hexapod

@@ -1,6 +1,5 @@
 #include "tools/bench_evolution.h"
 
-#include <cmath>
 #include <iomanip>
 #include <locale>
 #include <sstream>
@@ -19,15 +18,7 @@ const char* const kEvolutionHeading =
 
 namespace {
 
-constexpr double kReach_m = 0.9;
 constexpr double kMeasuringTime_s = 1.0;
-
-Outcome anywhere(Random& random) {
-  const double radius_m = kReach_m * std::sqrt(random.uniform());
-  const double direction_rad = random.uniform(-M_PI, M_PI);
-  return walkedTo({radius_m * std::cos(direction_rad), radius_m * std::sin(direction_rad),
-                   random.uniform(-M_PI, M_PI)});
-}
 
 /// Ends anywhere on the disc, at no cost.
 class Lottery : public Evaluator {
@@ -41,22 +32,6 @@ class Lottery : public Evaluator {
  private:
   Random random_{2};
 };
-
-std::vector<Entry> spreadArchive(std::size_t size, std::size_t gene_count) {
-  Random random(3);
-  std::vector<Entry> entries;
-  for (const Genome& genome : randomGenomes(size, gene_count, 4)) {
-    Entry entry;
-    entry.id = static_cast<std::int64_t>(1000000000 + entries.size());
-    entry.genome = genome;
-    const Outcome outcome = anywhere(random);
-    entry.end_pose = outcome.end_pose;
-    // As in a repertoire that has been worked on for long.
-    entry.orientation_error_rad = 0.01 * outcome.orientation_error_rad;
-    entries.push_back(entry);
-  }
-  return entries;
-}
 
 }  // namespace
 
