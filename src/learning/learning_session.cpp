@@ -5,9 +5,9 @@
 
 #include "gait/behavior.h"
 #include "learning/assessment.h"
-#include "learning/verify.h"
 #include "repertoire/metrics.h"
 #include "repertoire/number_text.h"
+#include "simulation/verify.h"
 
 namespace hexapod {
 namespace {

@@ -9,9 +9,8 @@
 #include <sstream>
 
 #include "evolution/br_evolution.h"
-#include "geometry/pose2.h"
 #include "simulation/behavior_evaluator.h"
-#include "simulation/rollout.h"
+#include "simulation/verify.h"
 
 namespace hexapod {
 
@@ -50,23 +49,6 @@ std::vector<Genome> evolvedCandidates(const BenchCase& bench_case, std::size_t c
   BrEvolution evolution(EvolutionOptions(), bench_case.robot.geneCount(), recorder, Random(seed));
   while (recorder.asked().size() < 2 * count + 2000) evolution.step();
   return {recorder.asked().rbegin(), recorder.asked().rend()};
-}
-
-struct End {
-  Verdict verdict = Verdict::kDiverged;
-  Pose2 pose;  // not rounded as Outcome's is
-};
-
-std::vector<End> playAll(WorldPool& pool, const std::vector<Genome>& genomes) {
-  const BehaviorOptions options;
-  std::vector<End> ends(genomes.size());
-  pool.forEach(genomes.size(), [&](World& world, std::size_t i) {
-    world.restart();
-    const Behavior behavior(world.robot(), genomes[i], options);
-    ends[i].verdict = play(world, behavior, options.command_period_s).verdict;
-    ends[i].pose = footprint(world.worldFromBase());
-  });
-  return ends;
 }
 
 void add(const Genome& genome, const End& ode, const End& reduced, Agreement& agreement) {
@@ -119,7 +101,8 @@ Agreement compareEngines(const BenchCase& bench_case, const std::vector<Genome>&
   for (std::size_t part = 0; part < parts; ++part) {
     std::vector<Genome> some;
     for (std::size_t i = part; i < genomes.size(); i += parts) some.push_back(genomes[i]);
-    const std::vector<End> expected = playAll(ode, some), found = playAll(reduced, some);
+    const std::vector<End> expected = playFromTheStand(ode, BehaviorOptions(), some);
+    const std::vector<End> found = playFromTheStand(reduced, BehaviorOptions(), some);
     for (std::size_t i = 0; i < some.size(); ++i) add(some[i], expected[i], found[i], agreement);
     std::sort(agreement.apart_m.begin(), agreement.apart_m.end());
     std::sort(agreement.apart_rad.begin(), agreement.apart_rad.end());

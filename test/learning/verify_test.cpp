@@ -1,4 +1,4 @@
-#include "learning/verify.h"
+#include "simulation/verify.h"
 
 #include "learning/checkpoint.h"
 #include "learning_fixture.h"

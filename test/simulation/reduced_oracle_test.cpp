@@ -1,12 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <vector>
 
+#include "evolution/br_evolution.h"
 #include "gait/behavior.h"
-#include "geometry/pose2.h"
+#include "simulation/behavior_evaluator.h"
 #include "simulation/ode_world.h"
 #include "simulation/reduced_world.h"
+#include "simulation/verify.h"
 #include "test_robots.h"
 
 // Whole behaviours in the reduced engine, held against ODE.
@@ -14,14 +17,9 @@
 namespace hexapod {
 namespace {
 
-struct End {
-  Verdict verdict = Verdict::kWalked;
-  Pose2 pose;  // not rounded as Outcome is
-};
-
 End playToTheEnd(World& world, const Behavior& behavior) {
   world.restart();
-  End end;
+  End end{Verdict::kWalked, {}};
   for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
     world.setTargets(behavior.command(k));
     for (int i = 0; i < 2 && end.verdict == Verdict::kWalked; ++i) end.verdict = world.step();
@@ -30,21 +28,33 @@ End playToTheEnd(World& world, const Behavior& behavior) {
   return end;
 }
 
+/// Random gaits and those that a short evolution comes up with.
+std::vector<Genome> mixedGenomes(const std::shared_ptr<WorldPool>& worlds) {
+  std::vector<Genome> genomes = randomGenomes(worlds->robot(), 120, 11);
+  BehaviorEvaluator evaluator(worlds, BehaviorOptions());
+  BrEvolution evolution(EvolutionOptions(), worlds->robot().geneCount(), evaluator, Random(11));
+  while (evolution.archive().size() < 120) evolution.step();
+  for (std::size_t i = 0; i < 120; ++i) {
+    genomes.push_back(evolution.archive().entries()[i].genome);
+  }
+  return genomes;
+}
+
 TEST(ReducedOracle, EndsBehavioursWhereOdeDoes) {
   const RobotDescription robot = handMadeHexapod();
-  OdeWorld ode(robot, Physics());
-  ReducedWorld reduced(robot, Physics());
+  WorldPool ode(Engine::kOde, robot, Physics());
+  const auto reduced = std::make_shared<WorldPool>(Engine::kReduced, robot, Physics());
+  const std::vector<Genome> genomes = mixedGenomes(reduced);
+  const std::vector<End> expected = playFromTheStand(ode, BehaviorOptions(), genomes);
+  const std::vector<End> ends = playFromTheStand(*reduced, BehaviorOptions(), genomes);
   std::vector<double> apart_m, apart_rad;
-  for (const Genome& genome : randomGenomes(robot, 60, 11)) {
-    const Behavior behavior(robot, genome, BehaviorOptions());
-    const End expected = playToTheEnd(ode, behavior);
-    const End end = playToTheEnd(reduced, behavior);
-    ASSERT_EQ(end.verdict, expected.verdict) << toString(genome);
-    if (expected.verdict != Verdict::kWalked) continue;
-    apart_m.push_back(distance(end.pose, expected.pose));
-    apart_rad.push_back(headingDistance(end.pose, expected.pose));
+  for (std::size_t i = 0; i < genomes.size(); ++i) {
+    ASSERT_EQ(ends[i].verdict, expected[i].verdict) << toString(genomes[i]);
+    if (expected[i].verdict != Verdict::kWalked) continue;
+    apart_m.push_back(distance(ends[i].pose, expected[i].pose));
+    apart_rad.push_back(headingDistance(ends[i].pose, expected[i].pose));
   }
-  ASSERT_GT(apart_m.size(), 50u);
+  ASSERT_GT(apart_m.size(), 220u);
   std::sort(apart_m.begin(), apart_m.end());
   std::sort(apart_rad.begin(), apart_rad.end());
   EXPECT_LT(apart_m[apart_m.size() / 2], 1e-7);

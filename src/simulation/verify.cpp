@@ -1,4 +1,4 @@
-#include "learning/verify.h"
+#include "simulation/verify.h"
 
 #include <algorithm>
 #include <mutex>
