@@ -30,6 +30,9 @@ class CandidateEvaluator {
 
   const std::vector<Symmetry>& symmetries() const { return symmetries_; }
 
+  /// Candidates so far that were not simulated: their gaits, or images of them, were known.
+  std::int64_t known() const { return cached_.counts().saved(); }
+
   /// Behaviours simulated so far, by the workers as well.
   std::int64_t simulations() const;
 

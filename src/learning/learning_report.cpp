@@ -33,7 +33,7 @@ std::string describe(const LearningStatus& status) {
          << " cm, orientation error " << status.last.median_orientation_error_rad * 180.0 / M_PI
          << " deg";
   }
-  line << ".";
+  line << "; " << status.simulations << " simulations, " << status.known << " gaits known.";
   return line.str();
 }
 

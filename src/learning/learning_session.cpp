@@ -262,6 +262,7 @@ LearningStatus LearningSession::status() const {
   status.phase = phase_;
   status.counters = evolution_.counters();
   status.simulations = simulations();
+  status.known = evaluator_.known();
   status.evaluations_budget = options_.evaluations;
   status.time_budget_s = options_.time_budget_s;
   status.entries = static_cast<std::int64_t>(evolution_.archive().size() - dropped_.size());

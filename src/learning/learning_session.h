@@ -26,6 +26,8 @@ struct LearningStatus {
   LearningPhase phase = LearningPhase::kEvolving;
   EvolutionCounters counters;
   std::int64_t simulations = 0;  ///< behaviours simulated, in earlier processes as well
+  std::int64_t known =
+      0;  ///< candidates of this process that were not simulated: gaits seen before
   std::int64_t evaluations_budget = 0;
   double time_budget_s = 0.0;  ///< 0: none
   std::int64_t entries = 0;    ///< those that were dropped excluded

@@ -124,6 +124,8 @@ void Learner::publishProgress(const LearningStatus& status) {
   message.generation = status.counters.generations;
   message.evaluations = status.counters.evaluations;
   message.evaluations_budget = status.evaluations_budget;
+  message.simulations = status.simulations;
+  message.known = status.known;
   message.evaluations_per_s = status.evaluations_per_s;
   message.eta_s = status.eta_s;
   message.archive_size = status.entries;

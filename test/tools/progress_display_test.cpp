@@ -17,6 +17,8 @@ LearningStatus halfDone() {
   status.evaluations_per_s = 512.4;
   status.eta_s = 3.9;
   status.last.evaluations = 2000;
+  status.simulations = 2500;
+  status.known = 130;
   status.last.sparseness_m = 0.0421;
   status.last.median_orientation_error_rad = 0.0403;  // 2.31 degrees
   return status;
@@ -32,14 +34,16 @@ LearningStatus validating(std::int64_t validated) {
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
             "Learning: 2000 of 4000 evaluations, 512/s, 4 s left, 120 entries, sparseness 4.21 cm, "
-            "orientation error 2.31 deg.");
+            "orientation error 2.31 deg; 2500 simulations, 130 gaits known.");
   EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 entries.");
 }
 
 TEST(LearningReport, LeavesOutTheMetricsUntilThereAreSome) {
   LearningStatus status = halfDone();
   status.last = HistoryRow();
-  EXPECT_EQ(describe(status), "Learning: 2000 of 4000 evaluations, 512/s, 4 s left, 120 entries.");
+  EXPECT_EQ(describe(status),
+            "Learning: 2000 of 4000 evaluations, 512/s, 4 s left, 120 entries; 2500 simulations, "
+            "130 gaits known.");
 }
 
 TEST(LearningReport, MeasuresTheBudgetThatIsUsedUpFirst) {
