@@ -14,16 +14,24 @@ from roslaunch.pmon import ProcessListener
 from roslaunch.rlutil import get_or_generate_uuid
 
 
-class FirstFailure(ProcessListener):
-    """Remembers the first exit code other than 0 among the processes that end by themselves."""
+class Session(ROSLaunchParent, ProcessListener):
+    """A session of roslaunch that remembers how the required node ended that ended it.
 
-    def __init__(self) -> None:
-        self.exit_code = 0
+    What becomes of the others is no failure of the session: rviz may crash or be closed.
+    """
+
+    exit_code = 0
+
+    def _start_pm(self) -> None:
+        # Here, not in start(): a node may die while others are being started.
+        super()._start_pm()
+        self.pm.add_process_listener(self)
 
     def process_died(self, process_name: str, exit_code: int) -> None:
         """Called by roslaunch; exit_code is negative for a signal and None when unknown."""
-        if exit_code and not self.exit_code:
-            self.exit_code = exit_code if exit_code > 0 else 128 - exit_code
+        if self.pm.get_process(process_name).required:
+            code = 1 if exit_code is None else exit_code
+            self.exit_code = code if code >= 0 else 128 - code
 
 
 def problem_with(launch_file: str, arguments: List[str]) -> str:
@@ -52,21 +60,19 @@ def main(argv: List[str]) -> int:
     if problem:
         print(problem, file=sys.stderr)
         return 2
-    listener = FirstFailure()
-    parent = ROSLaunchParent(
+    session = Session(
         get_or_generate_uuid(None, False),
         [(argv[0], argv[1:])],
-        process_listeners=[listener],
         sigint_timeout=15,
         sigterm_timeout=2,
     )
     try:
-        parent.start()
+        session.start()
     except RLException as error:
         print(error, file=sys.stderr)
         return 2
-    parent.spin()
-    return listener.exit_code
+    session.spin()
+    return session.exit_code
 
 
 if __name__ == "__main__":

@@ -1,0 +1,49 @@
+"""A launched session ends with the exit code of the required node that ended it."""
+import os
+import pathlib
+import socket
+import subprocess
+import sys
+
+import pytest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+# The nodes are shell commands: what roslaunch takes for the program only has to be there.
+LAUNCH = """<launch>
+  <arg name="other"/>
+  <arg name="required"/>
+  <node name="other" pkg="rosout" type="rosout" launch-prefix="{script} $(arg other)"/>
+  <node name="required" pkg="rosout" type="rosout" required="true"
+        launch-prefix="{script} $(arg required)"/>
+</launch>"""
+
+
+def free_port():
+    with socket.socket() as a_socket:
+        a_socket.bind(("127.0.0.1", 0))
+        return a_socket.getsockname()[1]
+
+
+@pytest.mark.parametrize("other, required, expected", [
+    ("exit-3", "exit-0", 0), ("exit-0", "exit-4", 4), ("exit-3", "kill-9", 128 + 9)])
+def test_only_the_required_node_counts(tmp_path, other, required, expected):
+    pytest.importorskip("roslaunch.parent")
+    script = tmp_path / "node.sh"
+    # The required one waits until the other has ended.
+    script.write_text(f"""#!/bin/sh
+case $* in *__name:=required*) until [ -e {tmp_path}/ended ]; do sleep 0.05; done ;; esac
+touch {tmp_path}/ended
+case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
+""")
+    script.chmod(0o755)
+    launch_file = tmp_path / "two.launch"
+    launch_file.write_text(LAUNCH.format(script=script))
+    environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}",
+                       ROS_IP="127.0.0.1", ROS_HOME=str(tmp_path))
+    # Run as a file: the package may be that of another build.
+    result = subprocess.run(
+        [sys.executable, str(ROOT / "src" / "hexapod_repertoire" / "launch.py"), str(launch_file),
+         f"other:={other}", f"required:={required}"],
+        env=environment, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        universal_newlines=True)
+    assert result.returncode == expected, result.stdout
