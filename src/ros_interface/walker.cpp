@@ -2,49 +2,13 @@
 
 #include <ros/console.h>
 
-#include <algorithm>
-
 #include "ros_interface/conversions.h"
+#include "ros_interface/walk_run.h"
 
 namespace hexapod {
 namespace {
 
 using Code = hexapod_repertoire::GoTo::Response;
-
-// Beyond its own duration: the executor's ramp to the neutral pose and the transport.
-constexpr double kBehaviorGrace_s = 5.0;
-
-std::uint8_t codeOf(PlanCode code) {
-  switch (code) {
-    case PlanCode::kFound:
-    case PlanCode::kAlreadyThere:
-      return Code::SUCCEEDED;
-    case PlanCode::kInvalidGoal:
-      return Code::INVALID_GOAL;
-    case PlanCode::kNoRepertoire:
-      return Code::NO_REPERTOIRE;
-    case PlanCode::kUnreachable:
-      return Code::UNREACHABLE;
-    case PlanCode::kTimeout:
-      return Code::PLANNING_TIMEOUT;
-  }
-  return Code::UNREACHABLE;
-}
-
-std::uint8_t codeOf(const Walk::Decision& decision) {
-  switch (decision.state) {
-    case WalkState::kArrived:
-    case WalkState::kStep:
-      return Code::SUCCEEDED;
-    case WalkState::kStuck:
-      return Code::STUCK;
-    case WalkState::kPoseLost:
-      return Code::POSE_LOST;
-    case WalkState::kNoPlan:
-      break;
-  }
-  return codeOf(decision.plan.code);
-}
 
 const char* const kNoRepertoireMessage =
     "No repertoire has arrived on the topic repertoire: start the learner or a repertoire_server, "
@@ -171,11 +135,6 @@ bool Walker::cancel(const std::string& goal_id) {
   return cancel();
 }
 
-bool Walker::superseded() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return pending_.has_value();
-}
-
 void Walker::work() {
   while (true) {
     std::optional<WalkGoal> goal;
@@ -211,75 +170,27 @@ void Walker::walk(const WalkGoal& goal) {
   if (goal.finished) goal.finished(report);
 }
 
-void Walker::noteEnd(const Pose2& robot, const WalkGoal& goal, WalkReport& report) const {
-  report.final_pose.header.frame_id = options_.global_frame;
-  report.final_pose.header.stamp = ros::Time::now();
-  report.final_pose.pose = toPoseMsg(robot);
-  report.final_xy_error_m = distance(robot, goal.pose);
-  report.final_yaw_error_rad = headingDistance(robot, goal.pose);
-}
-
 WalkReport Walker::walkTo(const WalkGoal& goal) {
-  WalkReport report;
   const auto planner = this->planner();  // one repertoire for the whole walk
   if (!planner) {
+    WalkReport report;
     report.message = kNoRepertoireMessage;
     return report;
   }
-  display_.showGoal(goal.pose);
+  const WalkRun::Means means{options_,
+                             poses_,
+                             executor_,
+                             display_,
+                             [this] { return interrupted(); },
+                             [this] { return reasonToEnd(); }};
+  return WalkRun(means, goal, planner).run();
+}
 
-  Walk walk(planner, goal.pose, goal.tolerance);
-  ros::Time rest(0);  // when the robot came to rest after the last behaviour
-  std::vector<Pose2> walked;
-  std::optional<PlannedStep> played;
-  while (true) {
-    const PoseReading robot = poses_.robotPose(rest);
-    if (!robot.pose) {
-      report.code = Code::POSE_LOST;
-      report.message = robot.problem;
-      return report;
-    }
-    if (played) display_.reportStep(goal.id, report.steps, *played, walked.back(), *robot.pose);
-    walked.push_back(*robot.pose);
-    noteEnd(*robot.pose, goal, report);
-
-    if (interrupted() || superseded()) {
-      report.code = Code::PREEMPTED;
-      report.message = cancel_     ? "Cancelled."
-                       : shutdown_ ? "Shutting down."
-                                   : "A newer goal took over.";
-      return report;
-    }
-    const Walk::Decision decision = walk.decide(*robot.pose, [this] { return interrupted(); });
-    display_.showPlan(*robot.pose, decision.plan, walked, goal.pose, goal.tolerance.xy_m);
-    if (report.steps == 0) {
-      report.plan = pathOf(*robot.pose, decision.plan, options_.global_frame);
-    }
-    if (decision.state != WalkState::kStep) {
-      report.code = codeOf(decision);
-      report.message = decision.message;
-      return report;
-    }
-    if (goal.progress) {
-      goal.progress(report.final_pose, report.steps,
-                    report.steps + static_cast<std::uint32_t>(decision.plan.steps.size()),
-                    report.final_xy_error_m);
-    }
-    const auto result = executor_.play(planner->repertoire().entries.at(decision.step->entry),
-                                       planner->repertoire().run_id,
-                                       planner->repertoire().behavior_duration_s + kBehaviorGrace_s,
-                                       [this] { return interrupted(); });
-    if (result.end == BehaviorClient::End::kFault || result.end == BehaviorClient::End::kNotReady) {
-      report.code = Code::EXECUTOR_FAULT;
-      report.message = "The executor stopped the walk: " + result.message;
-      return report;
-    }
-    ++report.steps;
-    played.reset();  // a behaviour that was broken off says nothing of its prediction
-    if (result.end == BehaviorClient::End::kPlayed) played = decision.step;
-    rest = result.finished.isZero() ? ros::Time(0)
-                                    : result.finished + ros::Duration(options_.pose_settle_s);
-  }
+std::string Walker::reasonToEnd() const {
+  if (cancel_) return "Cancelled.";
+  if (shutdown_) return "Shutting down.";
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return pending_ ? "A newer goal took over." : "";
 }
 
 }  // namespace hexapod

@@ -5,44 +5,21 @@
 
 #include <atomic>
 #include <condition_variable>
-#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <thread>
 
-#include "hexapod_repertoire/GoTo.h"
 #include "hexapod_repertoire/Repertoire.h"
 #include "planning/walk.h"
 #include "ros_interface/behavior_client.h"
 #include "ros_interface/planner_node_options.h"
 #include "ros_interface/pose_source.h"
 #include "ros_interface/walk_display.h"
+#include "ros_interface/walk_goal.h"
 
 namespace hexapod {
-
-/// What became of a goal: a code of GoTo.srv, a sentence, the first plan, the end.
-struct WalkReport {
-  std::uint8_t code = hexapod_repertoire::GoTo::Response::NO_REPERTOIRE;
-  std::string message;
-  nav_msgs::Path plan;
-  geometry_msgs::PoseStamped final_pose;
-  double final_xy_error_m = 0.0;
-  double final_yaw_error_rad = 0.0;
-  std::uint32_t steps = 0;
-};
-
-/// A goal in the global frame, and who wants to know of it.
-struct WalkGoal {
-  std::string id;  ///< unique; empty: submit() gives one
-  Pose2 pose;
-  GoalTolerance tolerance;
-  std::function<void(const WalkReport&)> finished;  ///< called once, from the walking thread
-  /// Called before each behaviour: measured pose, behaviours done, planned in all, metres left.
-  std::function<void(const geometry_msgs::PoseStamped&, std::uint32_t, std::uint32_t, double)>
-      progress;
-};
 
 /// Walks to goals, one at a time, in a thread of its own: measure, plan, have one behaviour
 /// executed, report, again. The newest goal takes over when the behaviour under way has ended.
@@ -78,8 +55,7 @@ class Walker {
   void walk(const WalkGoal& goal);
   WalkReport walkTo(const WalkGoal& goal);
   bool interrupted() const { return cancel_ || shutdown_; }
-  bool superseded() const;
-  void noteEnd(const Pose2& robot, const WalkGoal& goal, WalkReport& report) const;
+  std::string reasonToEnd() const;
 
   PlannerNodeOptions options_;
   PoseSource poses_;
