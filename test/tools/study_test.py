@@ -5,6 +5,8 @@ import pathlib
 import subprocess
 import time
 
+import pytest
+
 STUDY = os.environ["STUDY"]
 NAMES = sorted(f"{algorithm}_{seed}_400" for algorithm in ("br_evolution", "targets", "map_elites")
                for seed in (1, 2))
@@ -31,12 +33,10 @@ def test_every_run_has_its_files(tmp_path):
     done = study(tmp_path)
     assert done.returncode == 0, done.stderr
     assert runs(tmp_path) == NAMES
-    with open(tmp_path / "targets_1_400" / "history.csv", encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
-    assert {row["repertoire"] for row in rows} == {"nearest", "orientation"}
-    assert rows[-1]["evaluations"] == "400"
-    with open(tmp_path / "k_means.csv", encoding="utf-8") as file:
-        sparseness = [float(row["sparseness_m"]) for row in csv.DictReader(file)]
+    history = rows(tmp_path / "targets_1_400" / "history.csv")
+    assert {row["repertoire"] for row in history} == {"nearest", "orientation"}
+    assert history[-1]["evaluations"] == "400"
+    sparseness = [float(row["sparseness_m"]) for row in rows(tmp_path / "k_means.csv")]
     assert len(sparseness) == 8 and sparseness == sorted(sparseness, reverse=True)
 
 
@@ -88,3 +88,53 @@ def test_other_options_are_refused(tmp_path):
     done = study(tmp_path, "--mutation_rate", "0.3")
     assert done.returncode == 2
     assert "option.mutation_rate: 0.1 there, 0.3 now" in done.stderr
+
+
+def test_the_metrics_are_those_of_scipy(tmp_path):
+    """Sparseness, errors, density and reach of the last row, from entries.csv by other means."""
+    numpy = pytest.importorskip("numpy")
+    spatial = pytest.importorskip("scipy.spatial")
+    assert study(tmp_path).returncode == 0
+    x, y = (values.ravel() for values in numpy.meshgrid(*[0.01 * numpy.arange(-60, 61)] * 2))
+    grid = numpy.stack([x, y], axis=1)[in_region(numpy, x, y)]
+    for name in NAMES:
+        entry_rows = rows(tmp_path / name / "entries.csv")
+        history = rows(tmp_path / name / "history.csv")
+        for repertoire in {row["repertoire"] for row in history}:
+            last = [row for row in history if row["repertoire"] == repertoire][-1]
+            poses = numpy.array([[float(row[key]) for key in ("x_m", "y_m", "yaw_rad")]
+                                 for row in entry_rows if row["repertoire"] == repertoire])
+            if len(poses) == 0:
+                assert last["sparseness_m"] == ""
+                continue
+            check(numpy, spatial, last, poses, grid)
+
+
+def check(numpy, spatial, row, poses, grid):
+    distances, _ = spatial.cKDTree(poses[:, :2]).query(grid)
+    off = poses[:, 2] - 2.0 * numpy.arctan2(poses[:, 1], poses[:, 0])
+    errors = numpy.abs(numpy.angle(numpy.exp(1j * off)))
+    inside = in_region(numpy, poses[:, 0], poses[:, 1])
+    assert float(row["sparseness_m"]) == pytest.approx(numpy.median(distances), abs=1e-12)
+    assert float(row["orientation_error_of_all_rad"]) == pytest.approx(
+        numpy.median(errors), abs=1e-9)
+    if inside.any():
+        assert float(row["orientation_error_rad"]) == pytest.approx(
+            numpy.median(errors[inside]), abs=1e-9)
+    assert int(row["entries_in_region"]) == inside.sum()
+    assert float(row["density_per_dm2"]) == pytest.approx(inside.sum() / (0.01 * len(grid)))
+    assert float(row["reach_m"]) == pytest.approx(numpy.hypot(poses[:, 0], poses[:, 1]).max())
+
+
+def in_region(numpy, x, y):
+    """Within 60 degrees of the x axis and less than 0.6 m along the arc, as in figure 2C."""
+    polar = numpy.arctan2(numpy.abs(y), numpy.abs(x))
+    with numpy.errstate(divide="ignore", invalid="ignore"):
+        # The chord of an arc that turns by twice the polar angle.
+        arc = numpy.hypot(x, y) * numpy.where(polar > 1e-12, polar / numpy.sin(polar), 1.0)
+    return (polar <= numpy.pi / 3.0 + 1e-15) & (arc < 0.6)
+
+
+def rows(file):
+    with open(str(file), encoding="utf-8") as stream:
+        return list(csv.DictReader(stream))
