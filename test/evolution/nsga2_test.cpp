@@ -74,6 +74,40 @@ TEST(CrowdingDistances, AreTheNormalisedGapsAroundEachMember) {
   EXPECT_DOUBLE_EQ(distances[2], (4.0 - 0.0) / 10.0 + (8.0 - 5.0) / 8.0);
 }
 
+/// The sum over both objectives of the gap between the next smaller and the next larger value over
+/// the range, infinite where there is none; all values differ.
+double crowdingByBruteForce(const std::vector<Objectives>& objectives, std::size_t member) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double own = objectives[member][axis];
+    double below = -1.0, above = 2.0, least = 2.0, largest = -1.0;
+    for (const Objectives& other : objectives) {
+      const double value = other[axis];
+      if (value < own) below = std::max(below, value);
+      if (value > own) above = std::min(above, value);
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
+    if (below < 0.0 || above > 1.0) return std::numeric_limits<double>::infinity();
+    sum += (above - below) / (largest - least);
+  }
+  return sum;
+}
+
+TEST(CrowdingDistances, AreThoseOfBruteForce) {
+  Random random(5);
+  std::vector<Objectives> objectives;
+  Front front;
+  for (std::size_t i = 0; i < 60; ++i) {
+    objectives.push_back({random.uniform(), random.uniform()});
+    front.push_back(i);
+  }
+  const std::vector<double> distances = crowdingDistances(objectives, front);
+  for (const std::size_t i : front) {
+    EXPECT_DOUBLE_EQ(distances[i], crowdingByBruteForce(objectives, i));
+  }
+}
+
 TEST(CrowdingDistances, LookAtTheMembersOfTheFrontOnly) {
   const std::vector<Objectives> objectives{{0.0, 2.0}, {5.0, 5.0}, {1.0, 1.0}, {2.0, 0.0}};
   const auto distances = crowdingDistances(objectives, {0, 2, 3});
