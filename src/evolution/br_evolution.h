@@ -43,7 +43,8 @@ namespace hexapod {
 /// neither
 ///   as evaluations nor as individuals of the population; an entry that leaves for one is dropped.
 ///   A twin's entry has an id of its own and the evaluation number of its candidate.
-/// - archive_parents: some parents are drawn from the archive, uniformly.
+/// - archive_parents: some parents are drawn from the archive, uniformly, or with
+///   archive_tournament the best aligned of the entries around such a one.
 /// - novelty_refinement: the novelty threshold goes down when the archive has filled.
 /// And with an evaluator that looks twice, only individuals whose outcome is final are offered to
 /// the archive. At the start of each generation it looks again at those that the archive of that

@@ -8,8 +8,10 @@ Breeder::Breeder(const EvolutionOptions& options, const GenomeSpace& space,
                  const std::vector<Individual>& population, const Archive& archive)
     : mutation_rate_(options.mutation_rate),
       archive_parents_(options.archive_parents),
+      archive_tournament_(static_cast<std::size_t>(options.archive_tournament)),
       space_(space),
-      population_(population) {
+      population_(population),
+      archive_(archive) {
   standings_.reserve(population.size());
   for (const Individual& individual : population) standings_.push_back(individual.standing);
   if (archive_parents_ <= 0.0) return;
@@ -25,9 +27,20 @@ Genome Breeder::next(Random& random) const {
 
 const Genome& Breeder::parent(Random& random) const {
   if (!entries_.empty() && random.chance(archive_parents_)) {
-    return entries_[random.below(entries_.size())]->genome;
+    return bestAround(*entries_[random.below(entries_.size())]).genome;
   }
   return population_[tournament(standings_, random)].genotype;
+}
+
+const Entry& Breeder::bestAround(const Entry& entry) const {
+  if (archive_tournament_ <= 1) return entry;
+  const Entry* best = &entry;
+  const Pose2& end = entry.end_pose;
+  for (const Neighbour& near : archive_.nearest(end.x_m, end.y_m, archive_tournament_)) {
+    const Entry& rival = archive_.entries()[near.slot];
+    if (rival.orientation_error_rad < best->orientation_error_rad) best = &rival;
+  }
+  return *best;
 }
 
 }  // namespace hexapod

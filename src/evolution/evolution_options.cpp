@@ -46,6 +46,10 @@ std::vector<Option> declareOptions(EvolutionOptions& options) {
       option("archive_parents", options.archive_parents, "",
              "Share of the parents that are drawn from the archive instead of the population.", 0.0,
              1.0),
+      option("archive_tournament", options.archive_tournament,
+             "A parent drawn from the archive gives way to the entry of the least orientation "
+             "error among so many that are nearest to it, itself included; 1: it never does.",
+             1, 10000),
       option("novelty_refinement", options.novelty_refinement, "",
              "Part of the novelty threshold that is taken off after every generation that added "
              "fewer entries than 2 % of its candidates; 0: the threshold stays.",

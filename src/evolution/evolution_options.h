@@ -19,6 +19,9 @@ struct EvolutionOptions {
   std::string swap = "exchange";        ///< what leaves the archive: exchange (the paper) | copy
   bool offer_twins = false;      ///< offer the mirror images of every candidate to the archive, too
   double archive_parents = 0.0;  ///< share of parents drawn from the archive, 0 .. 1
+  /// Entries around an archive parent, itself included, of which the best aligned takes its place,
+  /// >= 1; 1: the parent as drawn.
+  std::int64_t archive_tournament = 1;
   /// Part of the novelty threshold that is taken off after a generation in which few were added,
   /// 0 .. 0.5; 0: it stays.
   double novelty_refinement = 0.0;

@@ -7,6 +7,7 @@
 #include "analytic_evaluator.h"
 #include "evolution/br_evolution.h"
 #include "evolution/evolution_state.h"
+#include "geometry/pose2.h"
 #include "repertoire/metrics.h"
 
 namespace hexapod {
@@ -157,6 +158,33 @@ TEST(ArchiveParents, AreAsManyAsTheShareAsksFor) {
   }
 }
 
+TEST(ArchiveTournament, TakesTheBestAlignedOfTheEntriesAroundTheOneDrawn) {
+  AnalyticEvaluator evaluator(7, kGenes);
+  BrEvolution evolution({}, kGenes, evaluator, Random(8));
+  for (int generation = 0; generation < 20; ++generation) evolution.step();
+  EvolutionOptions options;
+  options.mutation_rate = 0.0;
+  options.archive_parents = 1.0;
+  options.archive_tournament = 5;
+  RecordingEvaluator recorder;
+  BrEvolution(options, kGenes, recorder, evolution.state()).step();
+  std::set<Genome> winners;
+  const std::vector<Entry>& entries = evolution.archive().entries();
+  for (const Entry& drawn : entries) {
+    std::vector<Entry> around = entries;
+    std::partial_sort(
+        around.begin(), around.begin() + 5, around.end(), [&](const Entry& a, const Entry& b) {
+          return distance(a.end_pose, drawn.end_pose) < distance(b.end_pose, drawn.end_pose);
+        });
+    winners.insert(
+        std::min_element(around.begin(), around.begin() + 5, [](const Entry& a, const Entry& b) {
+          return a.orientation_error_rad < b.orientation_error_rad;
+        })->genome);
+  }
+  ASSERT_LT(winners.size(), entries.size() / 2);
+  for (const Genome& genome : recorder.genomes) EXPECT_EQ(winners.count(genome), 1u);
+}
+
 TEST(NoveltyRefinement, LowersTheThresholdWhenFewAreAddedAndStopsAtItsMinimum) {
   AnalyticEvaluator evaluator(7, kGenes);
   EvolutionOptions options;
@@ -199,6 +227,7 @@ TEST(AllOptionsBeyondThePaper, SurviveARestartAtAnyGeneration) {
   CarefulEvaluator evaluator;
   EvolutionOptions options = withTwins();
   options.archive_parents = 0.5;
+  options.archive_tournament = 3;
   options.novelty_refinement = 0.05;
   BrEvolution undisturbed(options, kGenes, evaluator, Random(7), {leftRight()});
   for (int generation = 0; generation < 25; ++generation) undisturbed.step();
