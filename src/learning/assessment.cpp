@@ -82,6 +82,17 @@ std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
   return results;
 }
 
+HeldOut heldOutMedians(const std::vector<TrialResult>& results) {
+  std::vector<double> sparseness_m, error_rad, shift_m;
+  for (std::size_t i = 1; i < results.size(); ++i) {
+    sparseness_m.push_back(results[i].metrics.sparseness_m);
+    error_rad.push_back(results[i].metrics.median_error_in_region_rad);
+    shift_m.push_back(results[i].median_shift_m);
+  }
+  return {median(sparseness_m).value_or(0.0), median(error_rad).value_or(0.0),
+          median(shift_m).value_or(0.0)};
+}
+
 std::map<std::string, std::string> factsOf(const std::vector<TrialResult>& results) {
   std::map<std::string, std::string> facts;
   for (const TrialResult& result : results) {

@@ -10,6 +10,7 @@
 #include "gait/behavior_options.h"
 #include "repertoire/entry.h"
 #include "repertoire/metrics.h"
+#include "repertoire/repertoire.h"
 #include "simulation/world_pool.h"
 
 namespace hexapod {
@@ -41,6 +42,9 @@ std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
                                     const std::vector<Entry>& entries,
                                     const std::vector<Trial>& trials,
                                     const std::atomic<bool>* cancelled = nullptr);
+
+/// Medians over the trials but the first, which is the nominal one.
+HeldOut heldOutMedians(const std::vector<TrialResult>& results);
 
 /// The results as texts by name, in the form in which a repertoire keeps them among its facts:
 /// "resimulated.5 ms step.sparseness_m" and so on.

@@ -33,7 +33,13 @@ std::string describe(const LearningStatus& status) {
          << " cm, orientation error " << status.last.median_orientation_error_rad * 180.0 / M_PI
          << " deg";
   }
-  line << "; " << status.simulations << " simulations, " << status.known << " gaits known.";
+  if (done && status.last.held_out) {
+    line << " (" << 100.0 * status.last.held_out->sparseness_m << " cm, "
+         << status.last.held_out->median_orientation_error_rad * 180.0 / M_PI
+         << " deg in other worlds)";
+  }
+  line << std::setprecision(0) << "; " << status.simulations << " simulations, " << status.known
+       << " gaits known.";
   return line.str();
 }
 

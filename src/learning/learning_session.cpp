@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "common/half_decade.h"
 #include "gait/behavior.h"
-#include "learning/assessment.h"
 #include "repertoire/metrics.h"
 #include "repertoire/number_text.h"
 #include "simulation/verify.h"
@@ -140,7 +140,10 @@ bool LearningSession::evolve(const Hooks& hooks) {
     }
     lap();
     const std::int64_t now = evolution_.counters().evaluations;
-    if (now / kEvaluationsPerHistoryRow > before / kEvaluationsPerHistoryRow) recordHistory();
+    if (now / kEvaluationsPerHistoryRow > before / kEvaluationsPerHistoryRow) {
+      recordHistory();
+      if (halfDecade(now) > before) addHeldOut();
+    }
     if (save_.exchange(false) || checkpointIsDue()) save(hooks);
     lap();
     if (hooks.progress) hooks.progress(*this);
@@ -216,15 +219,19 @@ bool LearningSession::validateEntries(const Hooks& hooks) {
 
 bool LearningSession::resimulateEntries() {
   if (!options_.resimulate) return true;
-  const auto trials = heldOutTrials(robot_, worlds_->physics());
   try {
-    const auto results =
-        resimulate(worlds_, options_.behavior, repertoire().entries, trials, &stop_);
+    const std::vector<TrialResult> results = tryHeldOut(repertoire().entries);
     for (const auto& [name, text] : factsOf(results)) facts_[name] = text;
+    history_.back().held_out = heldOutMedians(results);
   } catch (const EvaluationCancelled&) {
     return false;
   }
   return true;
+}
+
+std::vector<TrialResult> LearningSession::tryHeldOut(const std::vector<Entry>& entries) {
+  return resimulate(worlds_, options_.behavior, entries, heldOutTrials(robot_, worlds_->physics()),
+                    &stop_);
 }
 
 void LearningSession::recordHistory() {
@@ -237,6 +244,15 @@ void LearningSession::recordHistory() {
   row.max_reach_m = metrics.max_reach_m;
   row.elapsed_s = evolved_s_;
   history_.push_back(row);
+}
+
+void LearningSession::addHeldOut() {
+  if (!options_.resimulate) return;
+  try {
+    history_.back().held_out = heldOutMedians(tryHeldOut(evolution_.archive().entries()));
+  } catch (const EvaluationCancelled&) {
+    // Asked to stop: the row does without.
+  }
 }
 
 bool LearningSession::checkpointIsDue() const {

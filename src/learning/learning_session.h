@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "evolution/br_evolution.h"
+#include "learning/assessment.h"
 #include "learning/candidate_evaluator.h"
 #include "learning/learn_options.h"
 #include "learning/learning_phase.h"
@@ -105,8 +106,11 @@ class LearningSession {
   bool verifyEntries(const Hooks& hooks);
   bool validateEntries(const Hooks& hooks);
   bool resimulateEntries();
+  /// Throws EvaluationCancelled when asked to stop.
+  std::vector<TrialResult> tryHeldOut(const std::vector<Entry>& entries);
   std::vector<Entry> keptEntries() const;
   void recordHistory();
+  void addHeldOut();
   bool checkpointIsDue() const;
   void save(const Hooks& hooks);
 

@@ -2,12 +2,20 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "repertoire/entry.h"
 
 namespace hexapod {
+
+/// What is left of a repertoire in worlds that learning does not use: medians over them.
+struct HeldOut {
+  double sparseness_m = 0.0;
+  double median_orientation_error_rad = 0.0;
+  double median_shift_m = 0.0;  ///< of end positions, from where they are expected
+};
 
 /// One line of a learning run's history.
 struct HistoryRow {
@@ -17,6 +25,7 @@ struct HistoryRow {
   double median_orientation_error_rad = 0.0;
   double max_reach_m = 0.0;
   double elapsed_s = 0.0;
+  std::optional<HeldOut> held_out;  ///< now and then, and at the end
 };
 
 /// A learned repertoire as it is stored, published and planned with.

@@ -136,6 +136,11 @@ std::vector<Entry> readEntries(SqliteDatabase& database, std::size_t gene_count)
   return entries;
 }
 
+std::optional<HeldOut> heldOutAt(const SqliteStatement& row, const std::string& name) {
+  if (row.isNull(6)) return std::nullopt;
+  return HeldOut{realAt(row, 6, name), realAt(row, 7, name), realAt(row, 8, name)};
+}
+
 std::vector<HistoryRow> readHistory(SqliteDatabase& database) {
   requireCount(database, "history");
   std::vector<HistoryRow> history;
@@ -144,7 +149,8 @@ std::vector<HistoryRow> readHistory(SqliteDatabase& database) {
   const std::string name = "the table history";
   while (rows.step()) {
     history.push_back({integerAt(rows, 0, name), integerAt(rows, 1, name), realAt(rows, 2, name),
-                       realAt(rows, 3, name), realAt(rows, 4, name), realAt(rows, 5, name)});
+                       realAt(rows, 3, name), realAt(rows, 4, name), realAt(rows, 5, name),
+                       heldOutAt(rows, name)});
   }
   return history;
 }

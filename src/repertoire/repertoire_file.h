@@ -16,7 +16,8 @@ namespace hexapod {
 ///            behavior_duration_s, joint_names (comma separated), gene_count, format_version,
 ///            package_version, option.<name>, fact.<name>; digest over the entries and file_digest
 ///            over the rest
-///   history  one row per checkpoint
+///   history  a row about every 1000 evaluations; the held_out_ columns are NULL but now and then
+///            and at the end
 ///   state    key and value: what the learner needs to go on, opaque here
 /// A checkpoint is one transaction, so a killed process leaves the previous one.
 constexpr int kApplicationId = 0x48585250;  // "HXRP"

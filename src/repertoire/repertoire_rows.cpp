@@ -70,6 +70,13 @@ std::string digestOf(const std::map<std::string, std::string>& meta,
          {row.sparseness_m, row.median_orientation_error_rad, row.max_reach_m, row.elapsed_s}) {
       digest.add(value);
     }
+    digest.add(static_cast<std::int64_t>(row.held_out.has_value()));
+    if (!row.held_out) continue;
+    for (const double value :
+         {row.held_out->sparseness_m, row.held_out->median_orientation_error_rad,
+          row.held_out->median_shift_m}) {
+      digest.add(value);
+    }
   }
   for (const auto& [key, value] : state) {
     digest.add(key);

@@ -17,7 +17,9 @@ constexpr const char* kEntryColumns =
 
 /// Columns of the table history, likewise.
 constexpr const char* kHistoryColumns =
-    "evaluations, archive_size, sparseness_m, median_orientation_error_rad, max_reach_m, elapsed_s";
+    "evaluations, archive_size, sparseness_m, median_orientation_error_rad, max_reach_m, "
+    "elapsed_s, held_out_sparseness_m, held_out_median_orientation_error_rad, "
+    "held_out_median_shift_m";
 
 /// Key of the digest over everything that digestOf(entries) does not cover.
 constexpr const char* kFileDigestKey = "file_digest";

@@ -24,7 +24,8 @@ constexpr const char* kTables =
     "CREATE TABLE IF NOT EXISTS history("
     "evaluations INTEGER NOT NULL, archive_size INTEGER NOT NULL, sparseness_m REAL NOT NULL, "
     "median_orientation_error_rad REAL NOT NULL, max_reach_m REAL NOT NULL, "
-    "elapsed_s REAL NOT NULL);"
+    "elapsed_s REAL NOT NULL, held_out_sparseness_m REAL, "
+    "held_out_median_orientation_error_rad REAL, held_out_median_shift_m REAL);"
     "CREATE TABLE IF NOT EXISTS state(key TEXT PRIMARY KEY, value BLOB NOT NULL);"
     "DELETE FROM entries; DELETE FROM meta; DELETE FROM history; DELETE FROM state;";
 
@@ -104,9 +105,19 @@ void insertEntries(const std::vector<Entry>& entries, SqliteDatabase& database) 
   }
 }
 
+void bindHeldOut(const HistoryRow& row, SqliteStatement& insert) {
+  if (!row.held_out) {
+    for (int parameter = 7; parameter <= 9; ++parameter) insert.bindNull(parameter);
+    return;
+  }
+  insert.bind(7, row.held_out->sparseness_m);
+  insert.bind(8, row.held_out->median_orientation_error_rad);
+  insert.bind(9, row.held_out->median_shift_m);
+}
+
 void insertHistory(const std::vector<HistoryRow>& history, SqliteDatabase& database) {
-  SqliteStatement insert(
-      database, std::string("INSERT INTO history(") + kHistoryColumns + ") VALUES (?,?,?,?,?,?)");
+  SqliteStatement insert(database, std::string("INSERT INTO history(") + kHistoryColumns +
+                                       ") VALUES (?,?,?,?,?,?,?,?,?)");
   for (const HistoryRow& row : history) {
     insert.bind(1, row.evaluations);
     insert.bind(2, row.archive_size);
@@ -114,6 +125,7 @@ void insertHistory(const std::vector<HistoryRow>& history, SqliteDatabase& datab
     insert.bind(4, row.median_orientation_error_rad);
     insert.bind(5, row.max_reach_m);
     insert.bind(6, row.elapsed_s);
+    bindHeldOut(row, insert);
     insert.run();
   }
 }

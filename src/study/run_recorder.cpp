@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "common/half_decade.h"
 #include "repertoire/metrics.h"
 #include "repertoire/number_text.h"
 
@@ -27,8 +28,7 @@ std::int64_t historyMark(std::int64_t evaluations) {
 }
 
 std::int64_t snapshotMark(std::int64_t evaluations) {
-  const std::int64_t decade = decadeOf(evaluations);
-  const std::int64_t mark = evaluations / decade >= 3 ? 3 * decade : decade;
+  const std::int64_t mark = halfDecade(evaluations);
   return mark >= kFirstSnapshot ? mark : 0;
 }
 

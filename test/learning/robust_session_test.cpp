@@ -65,6 +65,21 @@ TEST_F(RobustSession, KeepsWhatIsLeftOfItInOtherWorlds) {
   EXPECT_GT(fact("5 ms step.median_shift_m"), 0.0);
   EXPECT_GT(fact("torque -20 %.sparseness_m"), 0.0);
   EXPECT_GE(fact("mu 0.7.median_orientation_error_rad"), 0.0);
+  ASSERT_TRUE(repertoire.history.back().held_out.has_value());
+  EXPECT_GT(repertoire.history.back().held_out->median_shift_m, 0.0);
+}
+
+TEST_F(RobustSession, KeepsNowAndThenWhatWouldBeLeftOfItInOtherWorlds) {
+  LearnOptions options = smallRun("");
+  options.evaluations = 4000;
+  options.evolution.population_size = 100;
+  options.behavior.gait_duration_s = 0.3;
+  options.resimulate = true;
+  std::vector<std::int64_t> tried;
+  for (const HistoryRow& row : undisturbed(options).history) {
+    if (row.held_out) tried.push_back(row.evaluations);
+  }
+  EXPECT_EQ(tried, (std::vector<std::int64_t>{1000, 3000, 4000}));
 }
 
 TEST_F(RobustSession, OfTheSameRobotIsAnotherRunThanANominalOne) {

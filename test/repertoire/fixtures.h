@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 #include <locale>
+#include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
@@ -101,8 +102,8 @@ inline Repertoire sampleRepertoire(std::size_t entries = 40) {
   repertoire.options = {{"novelty_threshold_m", "0.1"}, {"seed", "11"}};
   repertoire.facts = {{"engine", "ode"}};
   repertoire.entries = randomEntries(entries, random);
-  repertoire.history = {{100, 20, 0.05, 0.4, 0.3, 1.25},
-                        {1200, 40, 0.1 + 0.2, 1.0 / 3.0, 0.7, 9.0}};
+  repertoire.history = {{100, 20, 0.05, 0.4, 0.3, 1.25, HeldOut{0.06, 0.5, 0.01}},
+                        {1200, 40, 0.1 + 0.2, 1.0 / 3.0, 0.7, 9.0, std::nullopt}};
   return repertoire;
 }
 

@@ -52,6 +52,12 @@ void expectEqual(const Repertoire& a, const Repertoire& b) {
     EXPECT_EQ(a.history[i].median_orientation_error_rad, b.history[i].median_orientation_error_rad);
     EXPECT_EQ(a.history[i].max_reach_m, b.history[i].max_reach_m);
     EXPECT_EQ(a.history[i].elapsed_s, b.history[i].elapsed_s);
+    ASSERT_EQ(a.history[i].held_out.has_value(), b.history[i].held_out.has_value());
+    if (!a.history[i].held_out) continue;
+    EXPECT_EQ(a.history[i].held_out->sparseness_m, b.history[i].held_out->sparseness_m);
+    EXPECT_EQ(a.history[i].held_out->median_orientation_error_rad,
+              b.history[i].held_out->median_orientation_error_rad);
+    EXPECT_EQ(a.history[i].held_out->median_shift_m, b.history[i].held_out->median_shift_m);
   }
 }
 
