@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -77,6 +78,26 @@ void writeTheory(const StudyCommand& command, const std::filesystem::path& folde
   std::filesystem::rename(aside, file);
 }
 
+/// Tells how far a study is, after each of its runs.
+class Countdown {
+ public:
+  explicit Countdown(std::size_t runs) : runs_(runs) {}
+
+  void runEnded() {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+    ++ended_;
+    const double left_s =
+        passed.count() / static_cast<double>(ended_) * static_cast<double>(runs_ - ended_);
+    std::printf("  %zu of %zu done, about %.0f min left\n", ended_, runs_, left_s / 60.0);
+    std::fflush(stdout);
+  }
+
+ private:
+  std::size_t runs_;
+  std::size_t ended_ = 0;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
 /// The number of runs that failed.
 std::size_t study(const StudyCommand& command) {
   const RobotDescription robot = loadRobot(command.urdf, command.robot_config);
@@ -94,6 +115,7 @@ std::size_t study(const StudyCommand& command) {
               command.folder.c_str(), plans.size() - left.size(), plans.size(), jobs);
   writeTheory(command, folder.path());
   std::size_t failed = 0;
+  Countdown countdown(left.size());
   forEachInOwnProcess(
       left.size(), jobs, [&](std::size_t i) { return perform(command, robot, folder, left[i]); },
       [&](std::size_t i, const ProcessEnd& end) {
@@ -103,6 +125,7 @@ std::size_t study(const StudyCommand& command) {
           std::fprintf(stderr, "%s failed: %s\n", left[i].name().c_str(), reason.c_str());
         }
         if (end.signal != 0 || end.exit_code == 1) ++failed;
+        countdown.runEnded();
       });
   return failed;
 }
