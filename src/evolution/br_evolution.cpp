@@ -83,13 +83,17 @@ void BrEvolution::step(std::int64_t most_candidates) {
   pool.insert(pool.end(), candidates.begin(), candidates.end());
   std::vector<bool> is_news(pool.size(), false);
   std::fill(is_news.begin() + static_cast<std::ptrdiff_t>(population_.size()), is_news.end(), true);
-  const std::vector<std::size_t> looked_at = lookAgain(pool);
-  for (const std::size_t i : looked_at) is_news[i] = true;
+  std::int64_t looked_twice = 0;
+  for (int look = 2; look <= evaluator_->looks(); ++look) {
+    const std::vector<std::size_t> looked_at = lookAgain(look, pool);
+    for (const std::size_t i : looked_at) is_news[i] = true;
+    if (look == 2) looked_twice = static_cast<std::int64_t>(looked_at.size());
+  }
   // Nothing below can fail.
   random_ = random;
   next_id_ += static_cast<std::int64_t>(size * (1 + symmetries_.size()));
   counters_.evaluations += static_cast<std::int64_t>(size);
-  counters_.looked_twice += static_cast<std::int64_t>(looked_at.size());
+  counters_.looked_twice += looked_twice;
   countFailures(pool, is_news);
   const std::int64_t added_before = counters_.added;
   const std::vector<Objectives> objectives = offerToArchive(pool, is_news);
@@ -125,28 +129,27 @@ void BrEvolution::evaluate(std::vector<Individual>& candidates) const {
   requireOneEach(outcomes, genomes);
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     candidates[i].outcome = checked(outcomes[i]);
-    candidates[i].looked_twice = !evaluator_->looksTwice();
+    candidates[i].looks = 1;
   }
 }
 
-std::vector<std::size_t> BrEvolution::lookAgain(std::vector<Individual>& pool) const {
-  std::vector<std::size_t> promising;
-  if (!evaluator_->looksTwice()) return promising;
+std::vector<std::size_t> BrEvolution::lookAgain(int look, std::vector<Individual>& pool) const {
   const Neighbourhood neighbourhood(archive_, pool, static_cast<std::size_t>(options_.neighbours));
+  std::vector<std::size_t> promising;
   std::vector<Genome> genomes;
-  std::vector<Outcome> first;
+  std::vector<Outcome> previous;
   for (std::size_t i = 0; i < pool.size(); ++i) {
-    if (pool[i].looked_twice || !isPromising(pool[i], neighbourhood)) continue;
+    if (pool[i].looks != look - 1 || !isPromising(pool[i], neighbourhood)) continue;
     promising.push_back(i);
     genomes.push_back(pool[i].genome);
-    first.push_back(pool[i].outcome);
+    previous.push_back(pool[i].outcome);
   }
   if (promising.empty()) return promising;
-  const std::vector<Outcome> outcomes = evaluator_->lookAgain(genomes, first);
+  const std::vector<Outcome> outcomes = evaluator_->lookAgain(look, genomes, previous);
   requireOneEach(outcomes, genomes);
   for (std::size_t k = 0; k < promising.size(); ++k) {
     pool[promising[k]].outcome = checked(outcomes[k]);
-    pool[promising[k]].looked_twice = true;
+    pool[promising[k]].looks = look;
   }
   return promising;
 }
@@ -197,13 +200,13 @@ std::vector<Objectives> BrEvolution::offerToArchive(std::vector<Individual>& poo
   for (std::size_t i = 0; i < pool.size(); ++i) {
     Individual& individual = pool[i];
     objectives.push_back(neighbourhood.objectives(individual));
-    if (!individual.outcome.walked() || !individual.looked_twice) continue;
+    if (!individual.outcome.walked() || individual.looks < evaluator_->looks()) continue;
     const std::vector<Individual> images =
         is_news[i] ? twins(individual) : std::vector<Individual>();
     const OfferResult result = offer(individual, objectives.back()[0]);
     if (result.status != AddStatus::kRejected) neighbourhood.moveToArchive(individual);
     if (result.status == AddStatus::kSwapped && options_.swap == "exchange") {
-      individual = individualOf(*result.displaced);
+      individual = individualOf(*result.displaced, evaluator_->looks());
       neighbourhood.moveToPool(individual);
       objectives.back() = neighbourhood.objectives(individual);
     }

@@ -46,10 +46,10 @@ namespace hexapod {
 /// - archive_parents: some parents are drawn from the archive, uniformly, or with
 ///   archive_tournament the best aligned of the entries around such a one.
 /// - novelty_refinement: the novelty threshold goes down when the archive has filled.
-/// And with an evaluator that looks twice, only individuals whose outcome is final are offered to
-/// the archive. At the start of each generation it looks again at those that the archive of that
-/// moment would take, by their first outcome, themselves or a twin of theirs; who turns out to fall
-/// is then counted among the fallen.
+/// And with an evaluator that looks more than once, only individuals whose outcome is final are
+/// offered to the archive. At the start of each generation it looks again, and yet again, at those
+/// that the archive of that moment would take by the outcome they have, themselves or a twin of
+/// theirs; who turns out to fall is then counted among the fallen.
 ///
 /// Same options, evaluator and generator, same archive. Not thread-safe.
 class BrEvolution {
@@ -81,7 +81,7 @@ class BrEvolution {
  private:
   std::vector<Individual> nextCandidates(std::size_t count, Random& random) const;
   void evaluate(std::vector<Individual>& candidates) const;
-  std::vector<std::size_t> lookAgain(std::vector<Individual>& pool) const;
+  std::vector<std::size_t> lookAgain(int look, std::vector<Individual>& pool) const;
   bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
   std::vector<Individual> twins(const Individual& individual) const;
   void countFailures(const std::vector<Individual>& pool, const std::vector<bool>& is_news);

@@ -10,14 +10,13 @@ CachedEvaluator::CachedEvaluator(Evaluator& evaluator, std::size_t capacity,
                                  std::vector<Symmetry> symmetries)
     : evaluator_(&evaluator),
       symmetries_(std::move(symmetries)),
-      first_looks_(capacity),
-      second_looks_(capacity) {}
+      memories_(static_cast<std::size_t>(evaluator.looks()), Memory(capacity)) {}
 
 std::vector<Outcome> CachedEvaluator::evaluate(const std::vector<Genome>& genomes) {
   std::vector<Representative> questions;
   for (const Genome& genome : genomes) questions.push_back(representative(genome));
   std::int64_t passed_on = 0;
-  auto outcomes = answer(questions, first_looks_, [&](const std::vector<std::size_t>& open) {
+  auto outcomes = answer(questions, memories_[0], [&](const std::vector<std::size_t>& open) {
     std::vector<Genome> asked;
     for (const std::size_t i : open) asked.push_back(questions[i].genome);
     passed_on = static_cast<std::int64_t>(asked.size());
@@ -28,18 +27,19 @@ std::vector<Outcome> CachedEvaluator::evaluate(const std::vector<Genome>& genome
   return outcomes;
 }
 
-std::vector<Outcome> CachedEvaluator::lookAgain(const std::vector<Genome>& genomes,
-                                                const std::vector<Outcome>& first) {
+std::vector<Outcome> CachedEvaluator::lookAgain(int look, const std::vector<Genome>& genomes,
+                                                const std::vector<Outcome>& previous) {
   std::vector<Representative> questions;
   for (const Genome& genome : genomes) questions.push_back(representative(genome));
-  return answer(questions, second_looks_, [&](const std::vector<std::size_t>& open) {
+  Memory& memory = memories_.at(static_cast<std::size_t>(look) - 1);
+  return answer(questions, memory, [&](const std::vector<std::size_t>& open) {
     std::vector<Genome> asked;
     std::vector<Outcome> known;
     for (const std::size_t i : open) {
       asked.push_back(questions[i].genome);
-      known.push_back(questions[i].mapped(first[i]));
+      known.push_back(questions[i].mapped(previous[i]));
     }
-    return evaluator_->lookAgain(asked, known);
+    return evaluator_->lookAgain(look, asked, known);
   });
 }
 

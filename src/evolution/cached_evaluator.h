@@ -28,9 +28,9 @@ class CachedEvaluator : public Evaluator {
                   std::vector<Symmetry> symmetries = {});
 
   std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override;
-  bool looksTwice() const override { return evaluator_->looksTwice(); }
-  std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
-                                 const std::vector<Outcome>& first) override;
+  int looks() const override { return evaluator_->looks(); }
+  std::vector<Outcome> lookAgain(int look, const std::vector<Genome>& genomes,
+                                 const std::vector<Outcome>& previous) override;
 
   /// First looks that were asked for, and those of them that were passed on.
   struct Counts {
@@ -39,7 +39,7 @@ class CachedEvaluator : public Evaluator {
     std::int64_t saved() const { return asked - passed_on; }
   };
   const Counts& counts() const { return counts_; }
-  std::size_t size() const { return first_looks_.size(); }
+  std::size_t size() const { return memories_[0].size(); }
 
  private:
   /// Outcomes of representatives, at most `capacity`.
@@ -73,8 +73,7 @@ class CachedEvaluator : public Evaluator {
 
   Evaluator* evaluator_;
   std::vector<Symmetry> symmetries_;
-  Memory first_looks_;
-  Memory second_looks_;
+  std::vector<Memory> memories_;  // one per look
   Counts counts_;
 };
 

@@ -16,9 +16,9 @@ class EvaluationCancelled : public std::runtime_error {
 
 /// Tells what genomes do. All that evolution knows of the task.
 ///
-/// It may do so in two steps: a first look at every candidate, and a costlier second one at those
-/// few that would enter the archive. Both are deterministic: what they give depends on the genome
-/// alone. Called from one thread; may use as many as they like inside.
+/// It may do so in steps: a first look at every candidate, and costlier further ones at those few
+/// that would enter the archive by what is known of them. All are deterministic: what they give
+/// depends on the genome alone. Called from one thread; may use as many as they like inside.
 class Evaluator {
  public:
   virtual ~Evaluator() = default;
@@ -26,15 +26,16 @@ class Evaluator {
   /// The first look: one outcome per genome, in the same order.
   virtual std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) = 0;
 
-  /// False when the first look is final.
-  virtual bool looksTwice() const { return false; }
+  /// The number of the look that is final, >= 1.
+  virtual int looks() const { return 1; }
 
-  /// The final outcome of each genome, in the same order, given what evaluate() said of it: `first`
-  /// has one outcome per genome.
-  virtual std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
-                                         const std::vector<Outcome>& first) {
+  /// What look number `look`, 2 .. looks(), says of each genome, in the same order, given what the
+  /// look before it said: `previous` has one outcome per genome.
+  virtual std::vector<Outcome> lookAgain(int look, const std::vector<Genome>& genomes,
+                                         const std::vector<Outcome>& previous) {
+    static_cast<void>(look);
     static_cast<void>(genomes);
-    return first;
+    return previous;
   }
 };
 

@@ -39,8 +39,8 @@ std::string lineOf(const Individual& individual) {
                               outcome.orientation_error_rad, individual.standing.diversity}) {
     line += " " + toText(number);
   }
-  return line + " " + std::to_string(individual.standing.rank) +
-         (individual.looked_twice ? " 1\n" : " 0\n");
+  return line + " " + std::to_string(individual.standing.rank) + " " +
+         std::to_string(individual.looks) + "\n";
 }
 
 /// The words of one individual's line, converted one after another.
@@ -91,7 +91,7 @@ Individual individualFrom(const std::string& line) {
   individual.outcome.orientation_error_rad = words.real();
   individual.standing.diversity = words.real();
   individual.standing.rank = static_cast<std::size_t>(words.integer());
-  individual.looked_twice = words.integer() != 0;
+  individual.looks = static_cast<int>(words.integer());
   return individual;
 }
 

@@ -12,14 +12,14 @@ Entry entryOf(const Individual& individual) {
   return entry;
 }
 
-Individual individualOf(const Entry& entry) {
+Individual individualOf(const Entry& entry, int looks) {
   Individual individual;
   individual.id = entry.id;
   individual.evaluation = entry.evaluation;
   individual.genotype = entry.genome;
   individual.genome = entry.genome;
   individual.outcome = {Verdict::kWalked, entry.end_pose, entry.orientation_error_rad};
-  individual.looked_twice = true;
+  individual.looks = looks;
   return individual;
 }
 

@@ -18,15 +18,16 @@ struct Individual {
   Genome genotype;              ///< the genes as they are inherited and mutated
   Genome genome;                ///< canonical(genotype): what is simulated, compared and archived
   Outcome outcome;
-  Standing standing;          ///< among the parents and children it was last selected from
-  bool looked_twice = false;  ///< the outcome is final (see Evaluator)
+  Standing standing;  ///< among the parents and children it was last selected from
+  int looks = 0;      ///< number of the look that gave the outcome (see Evaluator)
 };
 
 /// The entry an individual that walked makes.
 Entry entryOf(const Individual& individual);
 
-/// The individual an entry goes on as in the population; its standing is yet to be found.
-Individual individualOf(const Entry& entry);
+/// The individual an entry goes on as in the population, its outcome that of look number `looks`;
+/// its standing is yet to be found.
+Individual individualOf(const Entry& entry, int looks);
 
 /// What has happened in a run so far.
 struct EvolutionCounters {

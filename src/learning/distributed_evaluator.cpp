@@ -17,7 +17,7 @@ std::vector<Value> part(const std::vector<Value>& values, std::size_t begin, std
 }
 
 Task partOf(const Task& task, std::size_t begin, std::size_t end) {
-  return {task.is_second_look, part(task.genomes, begin, end), part(task.first, begin, end)};
+  return {task.look, part(task.genomes, begin, end), part(task.previous, begin, end)};
 }
 
 }  // namespace
@@ -43,12 +43,12 @@ DistributedEvaluator::DistributedEvaluator(Evaluator& local, const Introduction&
 }
 
 std::vector<Outcome> DistributedEvaluator::evaluate(const std::vector<Genome>& genomes) {
-  return spread({false, genomes, {}});
+  return spread({1, genomes, {}});
 }
 
-std::vector<Outcome> DistributedEvaluator::lookAgain(const std::vector<Genome>& genomes,
-                                                     const std::vector<Outcome>& first) {
-  return spread({true, genomes, first});
+std::vector<Outcome> DistributedEvaluator::lookAgain(int look, const std::vector<Genome>& genomes,
+                                                     const std::vector<Outcome>& previous) {
+  return spread({look, genomes, previous});
 }
 
 std::size_t DistributedEvaluator::endOfPart(std::size_t p, std::size_t batch) const {
@@ -93,8 +93,8 @@ Result DistributedEvaluator::receiveFrom(std::size_t worker) {
 
 std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Task& task) {
   if (task.genomes.empty()) return {};
-  return task.is_second_look ? evaluator.lookAgain(task.genomes, task.first)
-                             : evaluator.evaluate(task.genomes);
+  return task.look == 1 ? evaluator.evaluate(task.genomes)
+                        : evaluator.lookAgain(task.look, task.genomes, task.previous);
 }
 
 void serve(Channel& master, const Introduction& own, Evaluator& evaluator,

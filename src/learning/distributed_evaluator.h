@@ -29,9 +29,9 @@ class DistributedEvaluator : public Evaluator {
   /// Throw EvaluationCancelled when cancelled, or when a worker is lost after that, and
   /// std::runtime_error when a worker could not do its part, naming it.
   std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override;
-  bool looksTwice() const override { return local_->looksTwice(); }
-  std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
-                                 const std::vector<Outcome>& first) override;
+  int looks() const override { return local_->looks(); }
+  std::vector<Outcome> lookAgain(int look, const std::vector<Genome>& genomes,
+                                 const std::vector<Outcome>& previous) override;
 
   /// Behaviours simulated by the workers so far.
   std::int64_t remoteSimulations() const { return remote_simulations_; }

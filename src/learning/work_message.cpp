@@ -99,10 +99,10 @@ std::string toMessage(const Introduction& introduction) {
 
 std::string toMessage(const Task& task) {
   Writer writer;
-  writer.number(static_cast<std::int32_t>(task.is_second_look));
+  writer.number(static_cast<std::int32_t>(task.look));
   writer.count(task.genomes.size());
   for (const Genome& genome : task.genomes) writer.text({genome.begin(), genome.end()});
-  writer.outcomes(task.first);
+  writer.outcomes(task.previous);
   return writer.bytes();
 }
 
@@ -127,13 +127,13 @@ Introduction introductionFrom(const std::string& message) {
 Task taskFrom(const std::string& message) {
   Reader reader(message);
   Task task;
-  task.is_second_look = reader.number<std::int32_t>() != 0;
+  task.look = reader.number<std::int32_t>();
   task.genomes.resize(reader.count());
   for (Genome& genome : task.genomes) {
     const std::string levels = reader.text();
     genome.assign(levels.begin(), levels.end());
   }
-  task.first = reader.outcomes();
+  task.previous = reader.outcomes();
   reader.requireEnd();
   return task;
 }

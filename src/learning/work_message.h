@@ -21,9 +21,9 @@ struct Introduction {
 
 /// A part of a batch.
 struct Task {
-  bool is_second_look = false;
+  int look = 1;
   std::vector<Genome> genomes;
-  std::vector<Outcome> first;  ///< per genome; only for second looks
+  std::vector<Outcome> previous;  ///< per genome; none for the first look
 };
 
 /// The answer to a task.

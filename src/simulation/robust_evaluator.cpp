@@ -1,5 +1,6 @@
 #include "simulation/robust_evaluator.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -46,37 +47,70 @@ RobustEvaluator::RobustEvaluator(Evaluator& nominal, std::shared_ptr<WorldPool> 
 
 std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genomes) {
   std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
-  if (!looksTwice()) return outcomes;
+  if (!options_.isOn()) return outcomes;
   for (Outcome& outcome : outcomes) {
     if (outcome.walked()) outcome.orientation_error_rad += options_.first_look_handicap_rad;
   }
   return outcomes;
 }
 
-std::vector<Outcome> RobustEvaluator::lookAgain(const std::vector<Genome>& genomes,
-                                                const std::vector<Outcome>& first) {
-  if (!looksTwice()) return first;
+int RobustEvaluator::looks() const {
+  if (!options_.isOn()) return 1;
+  const bool screens = options_.screening_runs > 0 && options_.screening_runs < options_.runs();
+  return screens ? 3 : 2;
+}
+
+std::vector<Outcome> RobustEvaluator::lookAgain(int look, const std::vector<Genome>& genomes,
+                                                const std::vector<Outcome>& previous) {
+  if (!options_.isOn()) return previous;
   prepareStartStates();
   std::vector<Behavior> behaviors;
   behaviors.reserve(genomes.size());
   for (const Genome& genome : genomes) behaviors.emplace_back(robot_, canonical(genome), behavior_);
+  std::vector<std::vector<Outcome>> seen;
   std::vector<RobustWorlds::Run> runs;
-  for (const Behavior& behavior : behaviors) {
-    for (std::size_t p = 1; p < worlds_.physics().size(); ++p)
-      runs.push_back({p, &behavior, nullptr});
-    for (const WorldState& state : start_states_) runs.push_back({0, &behavior, &state});
+  for (std::size_t i = 0; i < genomes.size(); ++i) {
+    seen.push_back(seenBefore(look, genomes[i], previous[i]));
+    for (std::size_t number = seen[i].size() - 1; number < runsUntil(look); ++number) {
+      runs.push_back(run(number, behaviors[i]));
+    }
   }
   const std::vector<BatchResult> results = worlds_.play(runs, cancelled_);
   simulations_ += static_cast<std::int64_t>(runs.size());
-  const std::size_t each = worlds_.physics().size() - 1 + start_states_.size();
+  if (look < looks()) screened_.clear();
   std::vector<Outcome> outcomes;
+  auto result = results.begin();
   for (std::size_t i = 0; i < genomes.size(); ++i) {
-    std::vector<Outcome> all = {first[i]};
-    all[0].orientation_error_rad -= options_.first_look_handicap_rad;
-    for (std::size_t k = i * each; k < (i + 1) * each; ++k) all.push_back(results[k].outcome);
-    outcomes.push_back(whole(all));
+    while (seen[i].size() - 1 < runsUntil(look)) seen[i].push_back((result++)->outcome);
+    outcomes.push_back(whole(seen[i]));
+    if (look < looks()) screened_[genomes[i]] = std::move(seen[i]);
   }
   return outcomes;
+}
+
+std::size_t RobustEvaluator::runsUntil(int look) const {
+  return static_cast<std::size_t>(look < looks() ? options_.screening_runs : options_.runs());
+}
+
+std::vector<Outcome> RobustEvaluator::seenBefore(int look, const Genome& genome,
+                                                 const Outcome& previous) const {
+  if (look == 2) {
+    Outcome first = previous;
+    first.orientation_error_rad -= options_.first_look_handicap_rad;
+    return {first};
+  }
+  const auto known = screened_.find(genome);
+  return known != screened_.end() ? known->second : nominal_->evaluate({genome});
+}
+
+RobustWorlds::Run RobustEvaluator::run(std::size_t number, const Behavior& behavior) const {
+  const std::size_t physics = worlds_.physics().size() - 1;
+  const std::size_t pairs = std::min(physics, start_states_.size());
+  const bool is_paired = number < 2 * pairs;
+  const std::size_t index = is_paired ? number / 2 : number - pairs;
+  const bool is_physics = is_paired ? number % 2 == 0 : physics > pairs;
+  if (is_physics) return {index + 1, &behavior, nullptr};
+  return {0, &behavior, &start_states_[index]};
 }
 
 Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {

@@ -35,6 +35,10 @@ std::vector<Option> declareOptions(RobustnessOptions& options) {
              "Runs from states after other behaviours for every candidate that would enter the "
              "archive; 0: none.",
              0, 100),
+      option("screening_runs", options.screening_runs,
+             "So many of these runs come first, and the others only for candidates that would "
+             "enter the archive even by what those show; 0: all at once.",
+             0, 200),
       option("spread_weight_rad_per_m", options.spread_weight_rad_per_m, "rad/m",
              "What a metre of spread of the end positions over these runs counts in the "
              "orientation error that candidates compete with.",

@@ -12,6 +12,9 @@ namespace hexapod {
 struct RobustnessOptions {
   std::int64_t perturbed_physics = 0;  ///< runs with other physics, from the stand, 0 .. 100
   std::int64_t start_states = 0;       ///< runs after other behaviours, nominal physics, 0 .. 100
+  /// Of these runs so many are for the second look, the others for the third, 0 .. 200; 0: all are
+  /// for the second.
+  std::int64_t screening_runs = 0;
   /// What a metre of spread counts as orientation error [rad/m].
   double spread_weight_rad_per_m = 4.0;
   /// Added to the orientation error of a first look, for what perturbations will add at least
@@ -24,7 +27,9 @@ struct RobustnessOptions {
   double torque_variation = 0.10;
   double slope_variation_rad = 0.0;  ///< slopes along x and along y, either way
 
-  bool isOn() const { return perturbed_physics + start_states > 0; }
+  /// Runs beside the nominal one.
+  std::int64_t runs() const { return perturbed_physics + start_states; }
+  bool isOn() const { return runs() > 0; }
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

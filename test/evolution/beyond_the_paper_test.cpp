@@ -38,10 +38,11 @@ class SymmetricEvaluator : public AnalyticEvaluator {
   }
 };
 
-/// The first look knows no falls and no heading; the second one does.
+/// The first look knows no falls and no heading; the second one knows the falls, and the last one
+/// all. (It may be the same.)
 class CarefulEvaluator : public AnalyticEvaluator {
  public:
-  CarefulEvaluator() : AnalyticEvaluator(7, kGenes) {}
+  explicit CarefulEvaluator(int looks = 2) : AnalyticEvaluator(7, kGenes), looks_(looks) {}
   std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
     std::vector<Outcome> outcomes = AnalyticEvaluator::evaluate(genomes);
     for (Outcome& outcome : outcomes) {
@@ -49,22 +50,28 @@ class CarefulEvaluator : public AnalyticEvaluator {
     }
     return outcomes;
   }
-  bool looksTwice() const override { return true; }
-  std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
-                                 const std::vector<Outcome>& first) override {
-    second_looks += static_cast<std::int64_t>(genomes.size());
+  int looks() const override { return looks_; }
+  std::vector<Outcome> lookAgain(int look, const std::vector<Genome>& genomes,
+                                 const std::vector<Outcome>& previous) override {
+    counts[look] += static_cast<std::int64_t>(genomes.size());
     std::vector<Outcome> outcomes;
     for (std::size_t i = 0; i < genomes.size(); ++i) {
-      EXPECT_EQ(first[i].orientation_error_rad, 0.5 * outcomeOf(genomes[i]).orientation_error_rad);
-      seen_twice.insert(genomes[i]);
+      Outcome outcome = outcomeOf(genomes[i]);
+      const double before = look == 2 ? 0.5 : 0.75;
+      EXPECT_EQ(previous[i].orientation_error_rad, before * outcome.orientation_error_rad);
+      if (look < looks_) outcome.orientation_error_rad *= 0.75;
+      if (look == looks_) seen_to_the_end.insert(genomes[i]);
       const bool falls = genomes[i][0] == 4 && genomes[i][4] == 4;
-      outcomes.push_back(falls ? Outcome{Verdict::kFell, {}, 0.0} : outcomeOf(genomes[i]));
+      outcomes.push_back(falls ? Outcome{Verdict::kFell, {}, 0.0} : outcome);
     }
     return outcomes;
   }
 
-  std::set<Genome> seen_twice;
-  std::int64_t second_looks = 0;
+  std::set<Genome> seen_to_the_end;
+  std::map<int, std::int64_t> counts;  // of genomes, by look
+
+ private:
+  int looks_;
 };
 
 /// Keeps the last batch.
@@ -207,24 +214,34 @@ TEST(NoveltyRefinement, LowersTheThresholdWhenFewAreAddedAndStopsAtItsMinimum) {
   EXPECT_LT(metricsOf(refined).sparseness_m, metricsOf(coarse).sparseness_m);
 }
 
-TEST(SecondLooks, DecideWhatEntersTheArchive) {
-  CarefulEvaluator evaluator;
+void expectOnlyFinalOutcomesInTheArchive(CarefulEvaluator& evaluator) {
   BrEvolution evolution({}, kGenes, evaluator, Random(6));
   for (int generation = 0; generation < 40; ++generation) evolution.step();
   for (const Entry& entry : evolution.archive().entries()) {
-    EXPECT_EQ(evaluator.seen_twice.count(entry.genome), 1u);
+    EXPECT_EQ(evaluator.seen_to_the_end.count(entry.genome), 1u);
     EXPECT_EQ(entry.orientation_error_rad, evaluator.outcomeOf(entry.genome).orientation_error_rad);
     EXPECT_FALSE(entry.genome[0] == 4 && entry.genome[4] == 4);
   }
   EXPECT_GT(evolution.archive().size(), 50u);
   EXPECT_GT(evolution.counters().fell, 0);
-  EXPECT_EQ(evolution.counters().looked_twice, evaluator.second_looks);
+  EXPECT_EQ(evolution.counters().looked_twice, evaluator.counts[2]);
   EXPECT_LT(evolution.counters().looked_twice, evolution.counters().evaluations);
   EXPECT_EQ(evolution.counters().evaluations, 4000);
 }
 
-TEST(AllOptionsBeyondThePaper, SurviveARestartAtAnyGeneration) {
+TEST(SecondLooks, DecideWhatEntersTheArchive) {
   CarefulEvaluator evaluator;
+  expectOnlyFinalOutcomesInTheArchive(evaluator);
+}
+
+TEST(ThirdLooks, DecideWhatEntersTheArchiveAndAreSparedThoseThatTheSecondOnesRuleOut) {
+  CarefulEvaluator evaluator(3);
+  expectOnlyFinalOutcomesInTheArchive(evaluator);
+  EXPECT_LT(evaluator.counts[3], evaluator.counts[2]);
+}
+
+TEST(AllOptionsBeyondThePaper, SurviveARestartAtAnyGeneration) {
+  CarefulEvaluator evaluator(3);
   EvolutionOptions options = withTwins();
   options.archive_parents = 0.5;
   options.archive_tournament = 3;

@@ -19,8 +19,8 @@ class Witness : public AnalyticEvaluator {
     }
     return AnalyticEvaluator::evaluate(genomes);
   }
-  bool looksTwice() const override { return true; }
-  std::vector<Outcome> lookAgain(const std::vector<Genome>& genomes,
+  int looks() const override { return 2; }
+  std::vector<Outcome> lookAgain(int, const std::vector<Genome>& genomes,
                                  const std::vector<Outcome>& first) override {
     second_looks += static_cast<int>(genomes.size());
     std::vector<Outcome> outcomes = first;
@@ -133,16 +133,16 @@ TEST(CachedEvaluator, RemembersNoMoreThanItsCapacityAndForgetsTheOldest) {
 TEST(CachedEvaluator, CachesSecondLooksTooAndHandsThemTheFirst) {
   Witness witness;
   CachedEvaluator cached(witness, 1000, mirrors());
-  EXPECT_TRUE(cached.looksTwice());
+  EXPECT_EQ(cached.looks(), 2);
   for (const Genome& genome : someGenomes(20, 5)) {
     const int before = witness.second_looks;
     const auto first = cached.evaluate({genome});
     if (!first[0].walked()) continue;
-    const Outcome final = cached.lookAgain({genome}, first)[0];
+    const Outcome final = cached.lookAgain(2, {genome}, first)[0];
     // Whichever image was asked moved by 0.1 m to its left.
     EXPECT_NEAR(std::abs(final.end_pose.y_m - first[0].end_pose.y_m), 0.1, 1e-12);
     EXPECT_EQ(final.end_pose.x_m, first[0].end_pose.x_m);
-    expectSame(cached.lookAgain({genome}, first)[0], final);
+    expectSame(cached.lookAgain(2, {genome}, first)[0], final);
     EXPECT_EQ(witness.second_looks, before + 1);
   }
 }

@@ -10,7 +10,7 @@
 namespace hexapod {
 namespace {
 
-/// Ends at (first gene, second gene); a second look adds ten to what the first one saw.
+/// Ends at (first gene, second gene); look n adds ten times n to what the one before it saw.
 class Analytic : public Evaluator {
  public:
   std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
@@ -22,11 +22,11 @@ class Analytic : public Evaluator {
     }
     return outcomes;
   }
-  bool looksTwice() const override { return true; }
-  std::vector<Outcome> lookAgain(const std::vector<Genome>&,
-                                 const std::vector<Outcome>& first) override {
-    std::vector<Outcome> outcomes = first;
-    for (Outcome& outcome : outcomes) outcome.end_pose.x_m += 10.0;
+  int looks() const override { return 3; }
+  std::vector<Outcome> lookAgain(int look, const std::vector<Genome>&,
+                                 const std::vector<Outcome>& previous) override {
+    std::vector<Outcome> outcomes = previous;
+    for (Outcome& outcome : outcomes) outcome.end_pose.x_m += 10.0 * look;
     return outcomes;
   }
   std::int64_t genomes() const { return genomes_; }
@@ -95,12 +95,14 @@ TEST(DistributedEvaluator, SaysWhatTheLocalOneWouldHoweverManyShareTheWork) {
     Analytic local;
     Analytic alone;
     DistributedEvaluator shared(local, {"run", 2, ""}, crew.workers(), kNotCancelled);
-    EXPECT_TRUE(shared.looksTwice());
+    EXPECT_EQ(shared.looks(), 3);
     for (const std::size_t count : {0, 1, 2, 3, 16}) {
       const std::vector<Genome> genomes = someGenomes(count);
       const std::vector<Outcome> first = alone.evaluate(genomes);
       expectSame(shared.evaluate(genomes), first);
-      expectSame(shared.lookAgain(genomes, first), alone.lookAgain(genomes, first));
+      for (const int look : {2, 3}) {
+        expectSame(shared.lookAgain(look, genomes, first), alone.lookAgain(look, genomes, first));
+      }
     }
     EXPECT_EQ(local.genomes() + shared.remoteSimulations(), 0 + 1 + 2 + 3 + 16);
   }
@@ -166,19 +168,19 @@ TEST(DistributedEvaluator, GivesUpABatchWhoseWorkerIsLost) {
 }
 
 TEST(WorkMessage, ReadsBackWhatWasWritten) {
-  const Task task{true, {{0, 1, 2}, {}, {4}}, Analytic().evaluate(someGenomes(3))};
+  const Task task{3, {{0, 1, 2}, {}, {4}}, Analytic().evaluate(someGenomes(3))};
   const Task read = taskFrom(toMessage(task));
-  EXPECT_TRUE(read.is_second_look);
+  EXPECT_EQ(read.look, 3);
   EXPECT_EQ(read.genomes, task.genomes);
-  expectSame(read.first, task.first);
-  const Result result = resultFrom(toMessage(Result{task.first, 17, "why"}));
-  expectSame(result.outcomes, task.first);
+  expectSame(read.previous, task.previous);
+  const Result result = resultFrom(toMessage(Result{task.previous, 17, "why"}));
+  expectSame(result.outcomes, task.previous);
   EXPECT_EQ(result.simulations, 17);
   EXPECT_EQ(result.problem, "why");
 }
 
 TEST(WorkMessage, RefusesWhatIsCutShortOrTooLong) {
-  const std::string message = toMessage(Task{true, someGenomes(3), {Outcome(), Outcome()}});
+  const std::string message = toMessage(Task{2, someGenomes(3), {Outcome(), Outcome()}});
   for (std::size_t size = 0; size < message.size(); ++size) {
     EXPECT_THROW(taskFrom(message.substr(0, size)), std::runtime_error) << size;
   }

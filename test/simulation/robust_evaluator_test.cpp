@@ -28,13 +28,17 @@ RobustnessOptions fewRuns() {
   return options;
 }
 
-/// Both looks, one after the other.
+/// All looks, one after the other.
 std::vector<Outcome> looks(const std::shared_ptr<WorldPool>& worlds,
                            const std::vector<Genome>& genomes, const RobustnessOptions& options,
                            std::uint64_t seed = 1) {
   BehaviorEvaluator nominal(worlds, shortBehavior());
   RobustEvaluator robust(nominal, worlds, shortBehavior(), options, seed);
-  return robust.lookAgain(genomes, robust.evaluate(genomes));
+  std::vector<Outcome> outcomes = robust.evaluate(genomes);
+  for (int look = 2; look <= robust.looks(); ++look) {
+    outcomes = robust.lookAgain(look, genomes, outcomes);
+  }
+  return outcomes;
 }
 
 void expectNear(const std::vector<Outcome>& a, const std::vector<Outcome>& b, double tolerance) {
@@ -81,10 +85,10 @@ TEST(RobustEvaluator, TakesTheFirstLookForFinalWhenItIsOff) {
   const auto worlds = pool();
   BehaviorEvaluator nominal(worlds, shortBehavior());
   RobustEvaluator robust(nominal, worlds, shortBehavior(), {}, 1);
-  EXPECT_FALSE(robust.looksTwice());
+  EXPECT_EQ(robust.looks(), 1);
   const auto genomes = randomGenomes(worlds->robot(), 3, 1);
   const auto outcomes = robust.evaluate(genomes);
-  expectNear(robust.lookAgain(genomes, outcomes), outcomes, 0.0);
+  expectNear(robust.lookAgain(2, genomes, outcomes), outcomes, 0.0);
   EXPECT_EQ(robust.simulations(), 0);
 }
 
@@ -153,7 +157,7 @@ TEST(RobustEvaluator, CountsItsRunsAndLetsAnyFailureDecide) {
   BehaviorEvaluator nominal(worlds, shortBehavior());
   RobustEvaluator robust(nominal, worlds, shortBehavior(), options, 1);
   // As if the tripod had not collided in the first look.
-  const auto outcomes = robust.lookAgain({standing(robot), tripod(robot)},
+  const auto outcomes = robust.lookAgain(2, {standing(robot), tripod(robot)},
                                          {walkedTo({0.0, 0.0, 0.0}), walkedTo({0.2, 0.0, 0.0})});
   EXPECT_EQ(outcomes[0].verdict, Verdict::kWalked);
   EXPECT_EQ(outcomes[1].verdict, Verdict::kSelfCollided);
@@ -173,6 +177,36 @@ TEST(RobustEvaluator, HandicapsFirstLooksButNotSecondOnes) {
               nominal.evaluate(genomes)[0].orientation_error_rad + 0.1, 1e-9);
 }
 
+TEST(RobustEvaluator, ScreensWithSomeOfItsRunsAndEndsAsIfItHadNot) {
+  const auto worlds = pool();
+  const auto genomes = randomGenomes(worlds->robot(), 6, 5);
+  for (const auto& [physics, states] : std::vector<std::pair<int, int>>{{3, 2}, {1, 3}, {4, 0}}) {
+    RobustnessOptions options;
+    options.perturbed_physics = physics;
+    options.start_states = states;
+    const auto at_once = looks(worlds, genomes, options);
+    options.screening_runs = 2;
+    expectNear(looks(worlds, genomes, options), at_once, 1e-9);
+  }
+}
+
+TEST(RobustEvaluator, SimulatesWhatItScreenedOnlyOnceUnlessItHasToStartAfresh) {
+  const auto worlds = pool();
+  RobustnessOptions options = fewRuns();
+  options.screening_runs = 2;
+  const std::vector<Genome> genomes = {tripod(worlds->robot()), standing(worlds->robot())};
+  BehaviorEvaluator nominal(worlds, shortBehavior());
+  RobustEvaluator robust(nominal, worlds, shortBehavior(), options, 1);
+  ASSERT_EQ(robust.looks(), 3);
+  const auto screened = robust.lookAgain(2, genomes, robust.evaluate(genomes));
+  EXPECT_EQ(robust.simulations(), 2 * 2);
+  const auto final = robust.lookAgain(3, genomes, screened);
+  EXPECT_EQ(robust.simulations(), 2 * 5);
+  RobustEvaluator fresh(nominal, worlds, shortBehavior(), options, 1);
+  expectNear(fresh.lookAgain(3, genomes, screened), final, 0.0);
+  EXPECT_EQ(fresh.simulations(), 2 * 5);
+}
+
 TEST(RobustEvaluator, GivesUpWhenCancelled) {
   const auto worlds = pool();
   std::atomic<bool> cancelled{false};
@@ -181,7 +215,7 @@ TEST(RobustEvaluator, GivesUpWhenCancelled) {
   const auto genomes = randomGenomes(worlds->robot(), 2, 3);
   const auto first = robust.evaluate(genomes);
   cancelled = true;
-  EXPECT_THROW(robust.lookAgain(genomes, first), EvaluationCancelled);
+  EXPECT_THROW(robust.lookAgain(2, genomes, first), EvaluationCancelled);
 }
 
 TEST(RobustEvaluator, RefusesOptionsThatDoNotFit) {
