@@ -34,6 +34,10 @@ void writeCsv(const Repertoire& repertoire, const std::string& file) {
                            "exports it.");
 }
 
+void sayUnlessEmpty(ProgressDisplay& display, const std::string& sentence) {
+  if (!sentence.empty()) display.say(sentence);
+}
+
 int learn(const EvolveOptions& options, SignalWatch& signals, Ranks& ranks) {
   auto display_options = ProgressDisplay::forStandardOutput(options.progress_period_s);
   // mpirun gives its processes terminals of their own, whatever its output is.
@@ -47,13 +51,13 @@ int learn(const EvolveOptions& options, SignalWatch& signals, Ranks& ranks) {
   if (ranks.count() > 1) {
     display.say(std::to_string(ranks.count()) + " processes share the work.");
   }
-  for (const std::string& remark : {session.resumeRemark(), session.engineRemark()}) {
-    if (!remark.empty()) display.say(remark);
-  }
+  sayUnlessEmpty(display, session.resumeRemark());
+  sayUnlessEmpty(display, session.engineRemark());
   LearningSession::Hooks hooks;
   hooks.progress = [&](const LearningSession& running) { display.show(running.status(), now()); };
   hooks.save_failed = [&](const std::string& problem) { display.complain(problem, now()); };
   const bool finished = session.run(hooks);
+  sayUnlessEmpty(display, session.verificationRemark());
   if (!ranks.loss().empty()) {
     display.say(ranks.loss() + " What was learned before is saved; --resume goes on.");
     ranks.abort(1);
