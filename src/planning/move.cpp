@@ -54,9 +54,9 @@ double separation(const Move& a, const Move& b) {
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
                               const Deviation& deviation) {
   std::vector<Move> result;
-  for (std::size_t i = 0; i < repertoire.entries.size(); ++i) {
+  for (const std::size_t i : steadyEntries(repertoire.entries, options.steadiness)) {
     const Entry& entry = repertoire.entries[i];
-    if (entry.usable() && finiteSpread(entry) && moves(entry)) {
+    if (finiteSpread(entry) && moves(entry)) {
       result.push_back(moveOf(entry, options, deviation));
       result.back().entry = i;
     }

@@ -37,8 +37,8 @@ struct Move {
   }
 };
 
-/// The entries that may be planned with, in the repertoire's order: never one that fell in its
-/// validation, that does not move, or whose pose is not finite.
+/// The entries that may be planned with, in the repertoire's order: the steady ones, and never one
+/// that fell in its validation, that does not move, or whose pose is not finite.
 /// A validated spread counts as much as its number of trials against two trials of the unvalidated
 /// spread, so that an entry is not trusted after a single lucky trial.
 /// Where they lead is corrected by `deviation`.

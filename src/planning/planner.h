@@ -64,8 +64,9 @@ struct PlanResult {
 /// Chains repertoire entries from a start pose to a goal pose.
 ///
 /// Promises: a found plan's composed expected poses end within tolerance; only entries that are
-/// usable(), move and have finite poses take part; all plans of one and two behaviours are weighed
-/// (within a tolerance of up to 0.15 m and 0.35 rad), longer ones by a bounded search (BeamSearch).
+/// steady (SteadinessOptions), move and have finite poses take part; all plans of one and two
+/// behaviours are weighed (within a tolerance of up to 0.15 m and 0.35 rad), longer ones by a
+/// bounded search (BeamSearch).
 /// The plan of least expected behaviours is returned: its number, plus the price of
 /// unsure entries and of the chance to end outside the tolerance (EndCost). A longer plan never
 /// wins against a shorter one unless spreads make the shorter one unsure. Plan anew from the

@@ -3,7 +3,7 @@
 namespace hexapod {
 
 std::vector<Option> declareOptions(PlannerOptions& options) {
-  return {
+  std::vector<Option> all = {
       option("xy_tolerance_m", options.xy_tolerance_m, "m",
              "distance to the goal that counts as arrived", 0.001, 10.0),
       option("yaw_tolerance_rad", options.yaw_tolerance_rad, "rad",
@@ -33,6 +33,9 @@ std::vector<Option> declareOptions(PlannerOptions& options) {
              "two-behaviour chains tabulated; with more the best spread entries are chosen", 1,
              10000000),
   };
+  const std::vector<Option> steadiness = declareOptions(options.steadiness);
+  all.insert(all.end(), steadiness.begin(), steadiness.end());
+  return all;
 }
 
 }  // namespace hexapod

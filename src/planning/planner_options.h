@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/options.h"
+#include "repertoire/steadiness.h"
 
 namespace hexapod {
 
@@ -22,6 +23,7 @@ struct PlannerOptions {
   double planning_time_s = 0.5;
   std::int64_t max_steps = 60;
   double max_goal_distance_m = 20.0;
+  SteadinessOptions steadiness;
   double unvalidated_spread_m = 0.015;
   double unvalidated_spread_rad = 0.03;
   double spread_weight = 0.3;

@@ -8,6 +8,7 @@
 #include "learning/assessment.h"
 #include "learning/learn_options.h"
 #include "repertoire/repertoire_file.h"
+#include "repertoire/steadiness.h"
 #include "robot/load_robot.h"
 #include "tools/command_line.h"
 #include "tools/package_files.h"
@@ -17,16 +18,14 @@ namespace {
 
 constexpr const char* kUsage =
     "usage: assess_repertoire FILE.db [--name value ..]\n"
-    "Plays the repertoire's usable entries from the stand in worlds that were not used in "
-    "learning,\n"
+    "Plays the entries that a planner uses from the stand in worlds that learning did not use,\n"
     "then one after another at random in one simulation.\n";
 
 constexpr double kDegrees = 180.0 / M_PI;
 
 struct AssessOptions {
   std::int64_t chain = 10000;
-  double max_spread_m = 1.0;
-  double max_spread_rad = 3.2;
+  SteadinessOptions steadiness;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
   std::string engine = "reduced";
@@ -35,16 +34,16 @@ struct AssessOptions {
 };
 
 std::vector<Option> declareOptions(AssessOptions& options) {
-  return {option("chain", options.chain, "Behaviours played one after another.", 1, 10000000),
-          option("max_spread_m", options.max_spread_m, "m",
-                 "Entries whose validated end positions spread more are left out.", 0.0, 1.0),
-          option("max_spread_rad", options.max_spread_rad, "rad",
-                 "Entries whose validated headings spread more are left out.", 0.0, 3.2),
-          option("seed", options.seed, "Seed of their order.", 0, 2147483647),
-          option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
-          option("engine", options.engine, "Simulation engine.", engineNames()),
-          option("urdf", options.urdf, "Robot description."),
-          option("robot_config", options.robot_config, "What the robot needs beside its URDF.")};
+  std::vector<Option> all = declareOptions(options.steadiness);
+  const std::vector<Option> others = {
+      option("chain", options.chain, "Behaviours played one after another.", 1, 10000000),
+      option("seed", options.seed, "Seed of their order.", 0, 2147483647),
+      option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
+      option("engine", options.engine, "Simulation engine.", engineNames()),
+      option("urdf", options.urdf, "Robot description."),
+      option("robot_config", options.robot_config, "What the robot needs beside its URDF.")};
+  all.insert(all.end(), others.begin(), others.end());
+  return all;
 }
 
 AssessOptions assessOptionsFrom(const std::vector<std::string>& words) {
@@ -95,12 +94,8 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
   const auto pool =
       std::make_shared<WorldPool>(engine.engine, robot, nominal, static_cast<int>(options.threads));
   std::vector<Entry> usable;
-  for (const Entry& entry : repertoire.entries) {
-    const Execution seen = entry.execution.value_or(Execution{});
-    if (entry.usable() && seen.spread_m <= options.max_spread_m &&
-        seen.spread_rad <= options.max_spread_rad) {
-      usable.push_back(entry);
-    }
+  for (const std::size_t i : steadyEntries(repertoire.entries, options.steadiness)) {
+    usable.push_back(repertoire.entries[i]);
   }
   std::printf("%s, %zu entries, %zu of them played\n\n", repertoire.run_id.c_str(),
               repertoire.entries.size(), usable.size());
