@@ -143,8 +143,9 @@ int main(int argc, char** argv) {
     }
     const std::size_t failed = hexapod::study(command);
     if (failed == 0) return 0;
-    std::cerr << failed << " runs failed; their reasons are in the files *.failed of "
-              << command.folder << ". The same command does them again.\n";
+    std::cerr << failed << (failed == 1 ? " run" : " runs")
+              << " failed; why, say the files *.failed in " << command.folder
+              << ". The same command does them again.\n";
     return 1;
   } catch (const std::invalid_argument& error) {
     std::cerr << error.what() << "\nstudy --help lists the options.\n";

@@ -62,7 +62,7 @@ def test_a_run_that_fails_is_told_and_the_rest_goes_on(tmp_path):
     in_the_way.write_text("not a run")
     done = study(tmp_path)
     assert done.returncode == 1
-    assert "map_elites_1_400 failed" in done.stderr and "1 runs failed" in done.stderr
+    assert "map_elites_1_400 failed" in done.stderr and "1 run failed" in done.stderr
     assert runs(tmp_path) == [name for name in NAMES if name != "map_elites_1_400"]
     assert (tmp_path / "map_elites_1_400.failed").read_text()
     in_the_way.unlink()
