@@ -38,6 +38,7 @@ class Outcome:
     """What came of it."""
     kills: int = 0
     while_writing: int = 0     # a journal was left behind
+    while_verifying: int = 0
     while_validating: int = 0
     before_any_line: int = 0
     equal: bool = False
@@ -87,6 +88,7 @@ def run_and_kill(plan: Plan, file: pathlib.Path, source: random.Random, outcome:
         return False
     outcome.kills += 1
     outcome.before_any_line += lines_wanted == 0
+    outcome.while_verifying += "Verifying" in last + rest
     outcome.while_validating += "Validating" in last + rest
     journal = pathlib.Path(str(file) + "-journal")
     outcome.while_writing += journal.exists() and journal.stat().st_size > 0
