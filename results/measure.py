@@ -3,8 +3,9 @@
 
     results/measure.py --programs <folder of the two> --jobs 2 paper default ablation
 
-writes results/paper_preset.md, results/default_preset.md and results/ablation.md. Repertoires are
-kept below --work and are not learned again; delete them to start afresh.
+writes results/paper_preset.md, results/default_preset.md (a short budget and a long one) and
+results/ablation.md. Repertoires are kept below --work and are not learned again; delete them to
+start afresh.
 """
 import argparse
 import concurrent.futures
@@ -23,20 +24,29 @@ CHAIN = re.compile(r"chained at random: (\d+) behaviours, (\d+) failed; from the
 WORLDS = ["nominal", "5 ms step", "mu 0.7", "mu 1.1", "mass -10 %", "mass +10 %",
           "servo gain -20 %", "servo gain +20 %", "torque -20 %"]
 
-# Name of each setting, and what it changes in the default preset.
+# Name of each setting, what it changes in the default preset, and its share of the budget.
 ABLATION = [
-    ("default preset", []),
-    ("without twins", ["--offer_twins", "false"]),
-    ("parents from the population only", ["--archive_parents", "0"]),
-    ("parents from the archive only", ["--archive_parents", "1"]),
-    ("novelty threshold stays at 0.10 m", ["--novelty_refinement", "0"]),
-    ("one world, perfect starts", ["--perturbed_physics", "0", "--perturbed_start_states", "0"]),
-    ("perturbed physics only", ["--perturbed_start_states", "0"]),
-    ("start states only", ["--perturbed_physics", "0"]),
-    ("spread counts half", ["--spread_weight_rad_per_m", "2"]),
-    ("spread counts double", ["--spread_weight_rad_per_m", "8"]),
-    ("swap = copy", ["--swap", "copy"]),
-    ("diversity = crowding", ["--diversity", "crowding"]),
+    ("default preset", [], 1),
+    ("default preset, twice the candidates", [], 2),
+    ("mutation rate 0.02", ["--mutation_rate", "0.02"], 1),
+    ("mutation rate 0.10, the paper's", ["--mutation_rate", "0.10"], 1),
+    ("without twins", ["--offer_twins", "false"], 1),
+    ("parents from the population only", ["--archive_parents", "0"], 1),
+    ("parents from the archive only", ["--archive_parents", "1"], 1),
+    ("archive parents as drawn", ["--archive_tournament", "1"], 1),
+    ("the best of 5 neighbours for archive parents", ["--archive_tournament", "5"], 1),
+    ("novelty threshold stays at 0.10 m", ["--novelty_refinement", "0"], 1),
+    ("novelty threshold goes down fast", ["--novelty_refinement", "0.02"], 1),
+    ("one world, perfect starts", ["--perturbed_physics", "0", "--perturbed_start_states", "0"], 1),
+    ("perturbed physics only", ["--perturbed_start_states", "0"], 1),
+    ("start states only", ["--perturbed_physics", "0", "--screening_runs", "0"], 1),
+    ("all perturbed runs at once", ["--screening_runs", "0"], 1),
+    ("no handicap for first looks", ["--first_look_handicap_rad", "0"], 1),
+    ("servo gains vary by 40 %", ["--servo_gain_variation", "0.4"], 1),
+    ("spread counts half", ["--spread_weight_rad_per_m", "2"], 1),
+    ("spread counts double", ["--spread_weight_rad_per_m", "8"], 1),
+    ("swap = copy", ["--swap", "copy"], 1),
+    ("diversity = crowding", ["--diversity", "crowding"], 1),
 ]
 
 
@@ -58,8 +68,9 @@ class Run:
     evaluations: int
     simulations: int
     seconds: float
-    worlds: dict
-    chain: tuple  # behaviours, failed, mm, degrees, mm at p90, degrees at p90; empty: not chained
+    everything: dict  # World by name, all usable entries
+    steady: dict      # of those that a planner uses
+    chain: tuple      # of the steady: behaviours, failed, mm, degrees, both at p90; empty: none
 
 
 def learn(programs, file, options):
@@ -70,10 +81,11 @@ def learn(programs, file, options):
     subprocess.run([str(word) for word in command], check=True, stdout=subprocess.DEVNULL)
 
 
-def assess(programs, file, chain):
-    """Runs assess_repertoire with a chain of so many behaviours and reads its table."""
+def assess(programs, file, *options):
+    """Runs assess_repertoire and reads its table and what it says of the chain."""
     text = subprocess.run([str(programs / "assess_repertoire"), str(file), "--threads", "1",
-                           "--chain", str(chain)], check=True, stdout=subprocess.PIPE, universal_newlines=True).stdout
+                           *options], check=True, stdout=subprocess.PIPE,
+                          universal_newlines=True).stdout
     worlds = {}
     for line in text.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
@@ -91,8 +103,9 @@ def run(job):
     meta = dict(database.execute("SELECT key, value FROM meta"))
     seconds = database.execute("SELECT max(elapsed_s) FROM history").fetchone()[0]
     database.close()
-    return Run(int(meta["evaluations"]), int(meta["fact.simulations"]), seconds,
-               *assess(programs, file, chain))
+    everything, _ = assess(programs, file, "--least_entries", "10000000", "--chain", "1")
+    return Run(int(meta["evaluations"]), int(meta["fact.simulations"]), seconds, everything,
+               *assess(programs, file, "--chain", str(chain)))
 
 
 def runs(arguments, name, seeds, options, chain=10000):
@@ -107,14 +120,14 @@ def median(all_runs, value):
     return statistics.median(value(one) for one in all_runs)
 
 
-def world_table(all_runs):
+def world_table(runs_worlds):
     """Medians over the runs, one row per world."""
     lines = ["| world | entries that walk | sparseness [cm] | orientation error in the region "
              "[deg] | shift of end poses, median [mm] | p90 [mm] | entries that fail |",
              "|---|---|---|---|---|---|---|"]
     for name in WORLDS:
         def of(field, name=name):
-            return median(all_runs, lambda one: getattr(one.worlds[name], field))
+            return median(runs_worlds, lambda worlds: getattr(worlds[name], field))
         lines.append(f"| {name} | {of('entries'):.0f} | {of('sparseness_cm'):.2f} | "
                      f"{of('error_deg'):.2f} | {of('shift_mm'):.1f} | {of('p90_mm'):.1f} | "
                      f"{of('failed'):.0f} |")
@@ -126,7 +139,7 @@ def seed_table(seeds, all_runs):
     lines = ["| seed | evaluations | simulations | time [s] | entries | sparseness [cm] | "
              "error [deg] | reach [m] |", "|---|---|---|---|---|---|---|---|"]
     for seed, one in zip(seeds, all_runs):
-        world = one.worlds["nominal"]
+        world = one.everything["nominal"]
         lines.append(f"| {seed} | {one.evaluations} | {one.simulations} | {one.seconds:.0f} | "
                      f"{world.entries:.0f} | {world.sparseness_cm:.2f} | {world.error_deg:.2f} | "
                      f"{world.reach_m:.2f} |")
@@ -143,37 +156,41 @@ def chain_line(all_runs):
             "degrees at p90.")
 
 
-def preset(arguments, title, name, options, seeds):
-    """Title, command, table per world, table per seed."""
+def preset(arguments, name, options, seeds):
+    """Command, a table per choice of entries, table per seed."""
     all_runs = runs(arguments, name, seeds, options)
-    lines = [f"# {title}", "",
-             f"`evolve {' '.join(options)} --seed S --threads 1`, then `assess_repertoire`; "
+    lines = [f"`evolve {' '.join(options)} --seed S --threads 1`, then `assess_repertoire`; "
              f"seeds {seeds[0]} .. {seeds[-1]}, medians over them. {machine(arguments)}", ""]
-    lines += world_table(all_runs) + [""]
     if all_runs[0].chain:
-        lines += [chain_line(all_runs), ""]
+        lines += ["The entries that a planner uses, those of small validated spread:", ""]
+        lines += world_table([one.steady for one in all_runs]) + ["", chain_line(all_runs), ""]
+    lines += ["All entries:", ""] + world_table([one.everything for one in all_runs]) + [""]
     return lines + seed_table(seeds, all_runs)
 
 
 def ablation(arguments):
     """One row per setting."""
     seeds = range(1, arguments.ablation_seeds + 1)
-    common = ["--evaluations", str(arguments.ablation_evaluations), *arguments.option]
+    def budget(share):
+        return ["--evaluations", str(share * arguments.ablation_evaluations), *arguments.option]
+
     lines = ["# What each option of the default preset brings", "",
-             f"`evolve {' '.join(common)} --seed S --threads 1` with the named option changed, then "
+             f"`evolve {' '.join(budget(1))} --seed S --threads 1` with the named option changed, then "
              f"`assess_repertoire`; seeds 1 .. {seeds[-1]}, medians over them. {machine(arguments)}", "",
-             "Held out: medians over the worlds that were not used in learning, without the torque "
-             "loss, which has a column of its own. Chained: median and p90 distance from the "
-             "expected end pose over 2,000 behaviours.", "",
+             "All entries. Held out: medians over the worlds that were not used in learning, "
+             "without the torque loss, which has a column of its own. Chained: median and p90 "
+             "distance from the expected end pose over 2,000 behaviours, those that a planner "
+             "uses. Settings that simulate more per candidate are to be compared with the row of "
+             "twice the candidates.", "",
              "| setting | simulations | entries | nominal: sparseness [cm], error [deg] | held out: "
              "error [deg], shift [mm] | torque -20 %: error [deg], failures | chained [mm] | "
              "chained [deg] | falls |", "|---|---|---|---|---|---|---|---|---|"]
-    for name, options in ABLATION:
+    for name, options, share in ABLATION:
         all_runs = runs(arguments, "ablation " + re.sub(r"\W+", "_", name), seeds,
-                        [*common, *options], chain=2000)
-        nominal = [one.worlds["nominal"] for one in all_runs]
-        torque = [one.worlds["torque -20 %"] for one in all_runs]
-        held_out = [[one.worlds[world] for world in WORLDS[1:-1]] for one in all_runs]
+                        [*budget(share), *options], chain=2000)
+        nominal = [one.everything["nominal"] for one in all_runs]
+        torque = [one.everything["torque -20 %"] for one in all_runs]
+        held_out = [[one.everything[world] for world in WORLDS[1:-1]] for one in all_runs]
         error = median(held_out, lambda ws: statistics.median(w.error_deg for w in ws))
         shift = median(held_out, lambda ws: statistics.median(w.shift_mm for w in ws))
         chain = [median(all_runs, lambda one, i=i: one.chain[i]) for i in range(6)]
@@ -207,9 +224,11 @@ def main():
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("/tmp/hexapod_results"))
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--seeds", type=int, help="default: 5 for paper, 10 for default")
-    parser.add_argument("--default-evaluations", type=int, default=50000)
+    parser.add_argument("--default-evaluations", type=int, default=250000)
+    parser.add_argument("--long-evaluations", type=int, default=1500000)
+    parser.add_argument("--long-seeds", type=int, default=3)
     parser.add_argument("--paper-evaluations", type=int, default=100000)
-    parser.add_argument("--ablation-evaluations", type=int, default=20000)
+    parser.add_argument("--ablation-evaluations", type=int, default=50000)
     parser.add_argument("--ablation-seeds", type=int, default=2)
     parser.add_argument("--option", nargs="*", default=[],
                         help="more words for evolve's command line, without their dashes: "
@@ -220,16 +239,20 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     for what in arguments.what:
         if what == "paper":
-            lines = preset(arguments, "The paper's algorithm", "paper",
-                           ["--preset", "paper", "--evaluations",
-                            str(arguments.paper_evaluations), *arguments.option],
-                           range(1, (arguments.seeds or 5) + 1))
+            lines = ["# The paper's algorithm", ""] + preset(
+                arguments, "paper", ["--preset", "paper", "--evaluations",
+                                     str(arguments.paper_evaluations), *arguments.option],
+                range(1, (arguments.seeds or 5) + 1))
             file = "paper_preset.md"
         elif what == "default":
-            lines = preset(arguments, "The default preset", "default",
-                           ["--evaluations", str(arguments.default_evaluations),
-                            *arguments.option],
-                           range(1, (arguments.seeds or 10) + 1))
+            lines = ["# The default preset", "", "## A short budget", ""] + preset(
+                arguments, "default", ["--evaluations", str(arguments.default_evaluations),
+                                       *arguments.option],
+                range(1, (arguments.seeds or 10) + 1))
+            lines += ["", "## A long budget", ""] + preset(
+                arguments, "default_long", ["--evaluations", str(arguments.long_evaluations),
+                                            *arguments.option],
+                range(1, arguments.long_seeds + 1))
             file = "default_preset.md"
         else:
             lines = ablation(arguments)
