@@ -138,3 +138,27 @@ def in_region(numpy, x, y):
 def rows(file):
     with open(str(file), encoding="utf-8") as stream:
         return list(csv.DictReader(stream))
+
+
+def test_the_report_of_a_study_has_its_statistics(tmp_path):
+    """The table of study_report.py against SciPy on the rows that the program wrote."""
+    stats = pytest.importorskip("scipy.stats")
+    assert study(tmp_path, "--novelty_threshold_m", "0.01").returncode == 0
+    script = pathlib.Path(__file__).resolve().parents[2] / "src" / "tools" / "study_report.py"
+    subprocess.run(["/usr/bin/python3", str(script), str(tmp_path)], check=True,
+                   env=dict(os.environ, PYTHONPATH=str(script.parents[1])))
+    table = rows(tmp_path / "report" / "table.csv")
+    assert {"quantity", "paper", "evaluations", "median", "p_value", "verdict"} <= set(table[0])
+    assert all(row["verdict"] for row in table if row["paper"])
+    row = [row for row in table if row["quantity"] == "sparseness of BR-Evolution v nearest"][0]
+    ours, others = ([1e2 * last_sparseness_m(tmp_path / f"{algorithm}_{seed}_400", repertoire)
+                     for seed in (1, 2)]
+                    for algorithm, repertoire in (("br_evolution",) * 2, ("targets", "nearest")))
+    assert float(row["median"]) == pytest.approx(sum(ours) / 2.0)
+    assert float(row["other_median"]) == pytest.approx(sum(others) / 2.0)
+    assert float(row["p_value"]) == pytest.approx(stats.ranksums(ours, others).pvalue)
+
+
+def last_sparseness_m(folder, repertoire):
+    return float([row["sparseness_m"] for row in rows(folder / "history.csv")
+                  if row["repertoire"] == repertoire][-1])
