@@ -94,11 +94,8 @@ std::size_t RobustEvaluator::runsUntil(int look) const {
 
 std::vector<Outcome> RobustEvaluator::seenBefore(int look, const Genome& genome,
                                                  const Outcome& previous) const {
-  if (look == 2) {
-    Outcome first = previous;
-    first.orientation_error_rad -= options_.first_look_handicap_rad;
-    return {first};
-  }
+  // To the last bit what the first run gave before the handicap was added.
+  if (look == 2) return {walkedTo(previous.end_pose)};
   const auto known = screened_.find(genome);
   return known != screened_.end() ? known->second : nominal_->evaluate({genome});
 }
