@@ -311,7 +311,7 @@ Repertoire LearningSession::repertoire() const {
                                    options_.behavior.command_period_s;
   repertoire.joint_names = robot_.jointNames();
   repertoire.facts = facts_;
-  repertoire.facts["engine"] = engine_.engine == Engine::kOde ? "ode" : "reduced";
+  repertoire.facts["engine"] = toString(engine_.engine);
   repertoire.facts["simulations"] = std::to_string(simulations());
   repertoire.entries = keptEntries();
   for (std::size_t i = 0; i < executions_.size(); ++i)

@@ -7,13 +7,16 @@
 namespace hexapod {
 
 const std::vector<std::string>& engineNames() {
-  static const std::vector<std::string> names = {"reduced", "ode"};
+  static const std::vector<std::string> names = {toString(Engine::kReduced),
+                                                 toString(Engine::kOde)};
   return names;
 }
 
+std::string toString(Engine engine) { return engine == Engine::kOde ? "ode" : "reduced"; }
+
 EngineChoice chooseEngine(const std::string& name, const RobotDescription& robot) {
-  if (name == "ode") return {Engine::kOde, ""};
-  if (name != "reduced") {
+  if (name == toString(Engine::kOde)) return {Engine::kOde, ""};
+  if (name != toString(Engine::kReduced)) {
     throw std::invalid_argument("'engine' is '" + name + "', expected reduced or ode.");
   }
   std::string reason;

@@ -71,6 +71,9 @@ enum class Engine {
 /// The names of the engines: choices of the option `engine`.
 const std::vector<std::string>& engineNames();
 
+/// One of engineNames().
+std::string toString(Engine engine);
+
 /// The engine to use for a robot.
 struct EngineChoice {
   Engine engine = Engine::kOde;

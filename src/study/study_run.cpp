@@ -56,7 +56,7 @@ RunResult performRun(const RobotDescription& robot, const StudyOptions& options,
   facts["evaluations"] = std::to_string(method->evaluations());
   facts["simulations"] = std::to_string(simulator.counts().simulations);
   facts["wall_s"] = toText(watch.seconds());
-  facts["engine"] = engine.engine == Engine::kOde ? "ode" : "reduced";
+  facts["engine"] = toString(engine.engine);
   facts["robot_id"] = robot.digest;
   facts["machine"] = machine;
   facts["version"] = PACKAGE_VERSION;
