@@ -4,11 +4,11 @@
 #include <cstdint>
 #include <memory>
 
-#include "evolution/cached_evaluator.h"
+#include "evaluation/behavior_evaluator.h"
+#include "evaluation/cached_evaluator.h"
+#include "evaluation/robust_evaluator.h"
 #include "learning/distributed_evaluator.h"
 #include "learning/learn_options.h"
-#include "simulation/behavior_evaluator.h"
-#include "simulation/robust_evaluator.h"
 
 namespace hexapod {
 

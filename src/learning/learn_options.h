@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "common/options.h"
+#include "evaluation/robust_options.h"
 #include "evolution/evolution_options.h"
 #include "gait/behavior_options.h"
 #include "robot/robot_description.h"
-#include "simulation/robust_options.h"
 #include "simulation/world.h"
 
 namespace hexapod {

@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "common/half_decade.h"
+#include "evaluation/verify.h"
 #include "gait/behavior.h"
 #include "repertoire/metrics.h"
 #include "repertoire/number_text.h"
-#include "simulation/verify.h"
 
 namespace hexapod {
 namespace {

@@ -9,8 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "evaluation/assessment.h"
+#include "evaluation/validation.h"
 #include "evolution/br_evolution.h"
-#include "learning/assessment.h"
 #include "learning/candidate_evaluator.h"
 #include "learning/learn_options.h"
 #include "learning/learning_phase.h"
@@ -18,7 +19,6 @@
 #include "repertoire/repertoire.h"
 #include "repertoire/repertoire_writer.h"
 #include "robot/robot_description.h"
-#include "simulation/validation.h"
 
 namespace hexapod {
 

@@ -3,10 +3,10 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
-#include "ros_interface/executor_node.h"
-#include "ros_interface/node_process.h"
-#include "ros_interface/params.h"
-#include "ros_interface/robot_param.h"
+#include "ros_interface/common/node_process.h"
+#include "ros_interface/common/params.h"
+#include "ros_interface/common/robot_param.h"
+#include "ros_interface/executor/executor_node.h"
 
 namespace hexapod {
 namespace {

@@ -1,10 +1,9 @@
 // Learns a repertoire of gaits in simulation and publishes it.
-#include "ros_interface/learner.h"
-
 #include <ros/ros.h>
 
-#include "ros_interface/node_process.h"
-#include "ros_interface/params.h"
+#include "ros_interface/common/node_process.h"
+#include "ros_interface/common/params.h"
+#include "ros_interface/learner/learner_node.h"
 
 namespace hexapod {
 namespace {
@@ -15,7 +14,7 @@ int learn() {
   LearnerOptions options;
   loadParams(private_node, declareOptions(options));
   options.learn.repertoire_file = expandHome(options.learn.repertoire_file);
-  Learner learner(node, private_node, options);
+  LearnerNode learner(node, private_node, options);
   ros::AsyncSpinner spinner(1);
   spinner.start();
   const bool finished = learner.run();

@@ -1,9 +1,9 @@
 // Plans chains of repertoire entries to goal poses and has the executor walk them.
 #include <ros/ros.h>
 
-#include "ros_interface/node_process.h"
-#include "ros_interface/params.h"
-#include "ros_interface/walk_interfaces.h"
+#include "ros_interface/common/node_process.h"
+#include "ros_interface/common/params.h"
+#include "ros_interface/planner/walk_interfaces.h"
 
 namespace hexapod {
 namespace {

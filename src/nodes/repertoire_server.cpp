@@ -2,9 +2,9 @@
 #include <ros/ros.h>
 
 #include "repertoire/repertoire_file.h"
-#include "ros_interface/node_process.h"
-#include "ros_interface/params.h"
-#include "ros_interface/repertoire_publisher.h"
+#include "ros_interface/common/node_process.h"
+#include "ros_interface/common/params.h"
+#include "ros_interface/learner/repertoire_publisher.h"
 
 namespace hexapod {
 namespace {

@@ -1,10 +1,10 @@
 // A robot in a simulated world, behind the topics of a real one.
 #include <ros/ros.h>
 
-#include "ros_interface/node_process.h"
-#include "ros_interface/params.h"
-#include "ros_interface/robot_param.h"
-#include "ros_interface/simulated_robot_node.h"
+#include "ros_interface/common/node_process.h"
+#include "ros_interface/common/params.h"
+#include "ros_interface/common/robot_param.h"
+#include "ros_interface/simulated_robot/simulated_robot_node.h"
 
 namespace hexapod {
 namespace {

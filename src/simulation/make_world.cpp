@@ -1,7 +1,7 @@
 #include <stdexcept>
 
-#include "simulation/ode_world.h"
-#include "simulation/reduced_world.h"
+#include "simulation/ode/ode_world.h"
+#include "simulation/reduced/reduced_world.h"
 #include "simulation/world.h"
 
 namespace hexapod {

@@ -80,8 +80,8 @@ struct EngineChoice {
   std::string remark;  ///< a sentence for the user when it is not the one asked for; else empty
 };
 
-/// The engine named `name` (one of engineNames()), or ODE with a remark when that one does not cover
-/// the robot. Throws std::invalid_argument for another name.
+/// The engine named `name` (one of engineNames()), or ODE with a remark when that one does not
+/// cover the robot. Throws std::invalid_argument for another name.
 EngineChoice chooseEngine(const std::string& name, const RobotDescription& robot);
 
 /// Builds a world. The description is copied in. Throws std::invalid_argument when a physics value

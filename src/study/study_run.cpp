@@ -3,9 +3,9 @@
 #include <chrono>
 #include <memory>
 
-#include "evolution/cached_evaluator.h"
+#include "evaluation/behavior_evaluator.h"
+#include "evaluation/cached_evaluator.h"
 #include "repertoire/number_text.h"
-#include "simulation/behavior_evaluator.h"
 #include "study/methods.h"
 #include "study/run_files.h"
 #include "study/run_recorder.h"

@@ -5,7 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "learning/assessment.h"
+#include "evaluation/assessment.h"
 #include "learning/learn_options.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/steadiness.h"

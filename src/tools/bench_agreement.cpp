@@ -8,9 +8,9 @@
 #include <set>
 #include <sstream>
 
+#include "evaluation/behavior_evaluator.h"
+#include "evaluation/verify.h"
 #include "evolution/br_evolution.h"
-#include "simulation/behavior_evaluator.h"
-#include "simulation/verify.h"
 
 namespace hexapod {
 

@@ -3,7 +3,7 @@
 #include <sys/resource.h>
 #include <time.h>
 
-#include "simulation/batch_stepper.h"
+#include "simulation/reduced/batch_stepper.h"
 #include "tools/machine.h"
 
 namespace hexapod {

@@ -11,7 +11,7 @@
 #include "repertoire/archive.h"
 #include "repertoire/metrics.h"
 #include "robot/load_robot.h"
-#include "simulation/batch_rollout.h"
+#include "simulation/reduced/batch_rollout.h"
 #include "tools/bench_cases.h"
 #include "tools/package_files.h"
 

@@ -7,9 +7,9 @@
 #include <memory>
 #include <sstream>
 
+#include "evaluation/behavior_evaluator.h"
 #include "gait/behavior.h"
-#include "simulation/batch_rollout.h"
-#include "simulation/behavior_evaluator.h"
+#include "simulation/reduced/batch_rollout.h"
 #include "simulation/rollout.h"
 #include "tools/bench_machine.h"
 

@@ -1,4 +1,4 @@
-#include "simulation/verify.h"
+#include "evaluation/verify.h"
 
 #include "learning/checkpoint.h"
 #include "learning_fixture.h"

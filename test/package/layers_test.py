@@ -13,12 +13,19 @@ ROS_HEADER = re.compile(
 # Station, and the stations it must never know.
 STRANGERS = [
     ("geometry", {"robot", "gait", "simulation", "repertoire", "evolution", "planning"}),
-    ("repertoire", {"evolution", "simulation", "planning", "execution"}),
-    ("evolution", {"simulation", "planning", "execution"}),
+    ("simulation", {"evolution", "evaluation", "learning", "study", "planning", "execution"}),
+    ("repertoire", {"evolution", "simulation", "evaluation", "planning", "execution"}),
+    ("evolution", {"simulation", "evaluation", "planning", "execution"}),
+    ("evaluation", {"learning", "study", "planning", "execution"}),
     ("learning", {"study"}),
-    ("planning", {"evolution", "simulation", "learning", "study"}),
-    ("execution", {"evolution", "simulation", "learning", "study"}),
+    ("planning", {"evolution", "simulation", "evaluation", "learning", "study"}),
+    ("execution", {"evolution", "simulation", "evaluation", "learning", "study"}),
+    ("ros_interface/common", {"simulation", "evolution", "evaluation", "learning", "planning",
+                              "execution"}),
+    ("ros_interface/executor", {"simulation", "evolution", "evaluation", "learning", "planning"}),
 ]
+# Rooms of ros_interface that every room may use.
+SHARED_ROOMS = {"common", "display"}
 
 
 def cpp_files(station):
@@ -61,4 +68,14 @@ def test_one_source_file_includes_the_physics_engine():
 def test_station_does_not_know_the_strangers_to_it(station, strangers):
     found = [f"{file.relative_to(SOURCE)}: {header}" for file in cpp_files(station)
              for header in includes(file) if header.split("/")[0] in strangers]
+    assert not found
+
+
+@pytest.mark.parametrize("room", sorted(f.name for f in (SOURCE / "ros_interface").iterdir()
+                                        if f.is_dir()))
+def test_a_room_of_ros_knows_no_other_but_the_shared_ones(room):
+    allowed = SHARED_ROOMS | {room} if room != "common" else {room}
+    found = [f"{file.relative_to(SOURCE)}: {header}" for file in cpp_files(f"ros_interface/{room}")
+             for header in includes(file)
+             if header.startswith("ros_interface/") and header.split("/")[1] not in allowed]
     assert not found

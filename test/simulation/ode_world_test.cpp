@@ -1,4 +1,4 @@
-#include "simulation/ode_world.h"
+#include "simulation/ode/ode_world.h"
 
 #include <gtest/gtest.h>
 

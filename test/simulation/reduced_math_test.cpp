@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "common/random.h"
-#include "simulation/reduced_angle.h"
-#include "simulation/reduced_clearance.h"
-#include "simulation/reduced_inertia.h"
-#include "simulation/reduced_system.h"
+#include "simulation/reduced/angle.h"
+#include "simulation/reduced/clearance.h"
+#include "simulation/reduced/inertia.h"
+#include "simulation/reduced/system.h"
 
 namespace hexapod::reduced {
 namespace {

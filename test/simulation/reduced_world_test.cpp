@@ -1,4 +1,4 @@
-#include "simulation/reduced_world.h"
+#include "simulation/reduced/reduced_world.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 
 #include "common/random.h"
 #include "gait/behavior.h"
-#include "simulation/ode_world.h"
+#include "simulation/ode/ode_world.h"
 #include "simulation/standing_state.h"
 #include "test_robots.h"
 

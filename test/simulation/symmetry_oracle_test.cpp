@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "gait/symmetry.h"
-#include "simulation/reduced_world.h"
+#include "simulation/reduced/reduced_world.h"
 #include "simulation/rollout.h"
 #include "test_robots.h"
 

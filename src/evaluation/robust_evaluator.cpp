@@ -1,0 +1,145 @@
+#include "evaluation/robust_evaluator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "common/random.h"
+#include "evaluation/validation.h"
+
+namespace hexapod {
+namespace {
+
+// Other generators get the seed as it is.
+constexpr std::uint64_t kPurpose = 0x7374617274;
+// Behaviours before a start state, and how many are tried for one that walks.
+constexpr int kPredecessors = 2;
+constexpr int kMaxDraws = 100;
+
+std::vector<Physics> allPhysics(const RobustnessOptions& options, const Physics& nominal,
+                                double command_period_s, std::uint64_t seed) {
+  std::vector<Physics> all = perturbedPhysics(options, nominal, command_period_s, seed);
+  all.insert(all.begin(), nominal);
+  return all;
+}
+
+Genome randomGenome(std::size_t gene_count, Random& random) {
+  Genome genome(gene_count);
+  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
+  return canonical(genome);
+}
+
+}  // namespace
+
+RobustEvaluator::RobustEvaluator(Evaluator& nominal, std::shared_ptr<WorldPool> pool,
+                                 const BehaviorOptions& behavior, const RobustnessOptions& options,
+                                 std::uint64_t seed, const std::atomic<bool>* cancelled)
+    : nominal_(&nominal),
+      robot_(pool->robot()),
+      behavior_(behavior),
+      options_(options),
+      seed_(seed),
+      cancelled_(cancelled),
+      worlds_(pool, allPhysics(options, pool->physics(), behavior.command_period_s, seed),
+              behavior.command_period_s) {}
+
+std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genomes) {
+  std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
+  if (!options_.isOn()) return outcomes;
+  for (Outcome& outcome : outcomes) {
+    if (outcome.walked()) outcome.orientation_error_rad += options_.first_look_handicap_rad;
+  }
+  return outcomes;
+}
+
+int RobustEvaluator::looks() const {
+  if (!options_.isOn()) return 1;
+  const bool screens = options_.screening_runs > 0 && options_.screening_runs < options_.runs();
+  return screens ? 3 : 2;
+}
+
+std::vector<Outcome> RobustEvaluator::lookAgain(int look, const std::vector<Genome>& genomes,
+                                                const std::vector<Outcome>& previous) {
+  if (!options_.isOn()) return previous;
+  prepareStartStates();
+  std::vector<Behavior> behaviors;
+  behaviors.reserve(genomes.size());
+  for (const Genome& genome : genomes) behaviors.emplace_back(robot_, canonical(genome), behavior_);
+  std::vector<std::vector<Outcome>> seen;
+  std::vector<RobustWorlds::Run> runs;
+  for (std::size_t i = 0; i < genomes.size(); ++i) {
+    seen.push_back(seenBefore(look, genomes[i], previous[i]));
+    for (std::size_t number = seen[i].size() - 1; number < runsUntil(look); ++number) {
+      runs.push_back(run(number, behaviors[i]));
+    }
+  }
+  const std::vector<BatchResult> results = worlds_.play(runs, cancelled_);
+  simulations_ += static_cast<std::int64_t>(runs.size());
+  if (look < looks()) screened_.clear();
+  std::vector<Outcome> outcomes;
+  auto result = results.begin();
+  for (std::size_t i = 0; i < genomes.size(); ++i) {
+    while (seen[i].size() - 1 < runsUntil(look)) seen[i].push_back((result++)->outcome);
+    outcomes.push_back(whole(seen[i]));
+    if (look < looks()) screened_[genomes[i]] = std::move(seen[i]);
+  }
+  return outcomes;
+}
+
+std::size_t RobustEvaluator::runsUntil(int look) const {
+  return static_cast<std::size_t>(look < looks() ? options_.screening_runs : options_.runs());
+}
+
+std::vector<Outcome> RobustEvaluator::seenBefore(int look, const Genome& genome,
+                                                 const Outcome& previous) const {
+  // To the last bit what the first run gave before the handicap was added.
+  if (look == 2) return {walkedTo(previous.end_pose)};
+  const auto known = screened_.find(genome);
+  return known != screened_.end() ? known->second : nominal_->evaluate({genome});
+}
+
+RobustWorlds::Run RobustEvaluator::run(std::size_t number, const Behavior& behavior) const {
+  const std::size_t physics = worlds_.physics().size() - 1;
+  const std::size_t pairs = std::min(physics, start_states_.size());
+  const bool is_paired = number < 2 * pairs;
+  const std::size_t index = is_paired ? number / 2 : number - pairs;
+  const bool is_physics = is_paired ? number % 2 == 0 : physics > pairs;
+  if (is_physics) return {index + 1, &behavior, nullptr};
+  return {0, &behavior, &start_states_[index]};
+}
+
+Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {
+  double error_rad = 0.0;
+  for (const Outcome& outcome : outcomes) {
+    if (!outcome.walked()) return outcome;
+    error_rad += outcome.orientation_error_rad / static_cast<double>(outcomes.size());
+  }
+  const Execution execution = summarize(outcomes);
+  Outcome result = walkedTo(execution.mean);
+  error_rad += options_.spread_weight_rad_per_m * execution.spread_m;
+  result.orientation_error_rad = std::round(error_rad * 1e5) / 1e5;
+  return result;
+}
+
+void RobustEvaluator::prepareStartStates() {
+  Random random(seed_ ^ kPurpose);
+  while (start_states_.size() < static_cast<std::size_t>(options_.start_states)) {
+    std::vector<WorldState> chain(1);
+    for (int draw = 0; static_cast<int>(chain.size()) <= kPredecessors; ++draw) {
+      if (draw == kMaxDraws) {
+        throw std::runtime_error("None of " + std::to_string(kMaxDraws) +
+                                 " random behaviours of robot " + robot_.name +
+                                 " walks; set perturbed_start_states to 0.");
+      }
+      const Behavior behavior(robot_, randomGenome(robot_.geneCount(), random), behavior_);
+      const WorldState* start = chain.size() == 1 ? nullptr : &chain.back();
+      BatchResult result = worlds_.play({{0, &behavior, start}}, cancelled_)[0];
+      if (result.outcome.walked()) chain.push_back(std::move(result.end));
+    }
+    start_states_.push_back(std::move(chain.back()));
+  }
+}
+
+}  // namespace hexapod

@@ -1,0 +1,159 @@
+#include "evaluation/validation.h"
+
+#include <cmath>
+#include <mutex>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "common/random.h"
+#include "simulation/reduced/batch_rollout.h"
+#include "simulation/rollout.h"
+
+namespace hexapod {
+namespace {
+
+// Predecessors drawn for one place in a chain until one walks; then the place stays empty.
+constexpr int kMaxDraws = 20;
+
+// Generators of the start states and of the genomes must not repeat each other.
+enum class Purpose : std::uint64_t { kStartState = 1, kEntry = 2 };
+
+Random generator(std::uint64_t seed, Purpose purpose, std::size_t index) {
+  Random mixer(seed);
+  const std::uint64_t base = mixer.bits();
+  return Random(base + 0x9e3779b97f4a7c15u * (2 * index + static_cast<std::uint64_t>(purpose)));
+}
+
+void check(const ValidationOptions& options) {
+  if (options.trials < 1 || options.start_states < options.trials || options.start_states > 10000) {
+    throw std::invalid_argument(
+        "Validation needs 1 <= trials <= start_states <= 10000, found trials " +
+        std::to_string(options.trials) + " and start_states " +
+        std::to_string(options.start_states) + ".");
+  }
+}
+
+class Validation {
+ public:
+  Validation(WorldPool& worlds, const BehaviorOptions& behavior, const std::vector<Genome>& genomes,
+             const ValidationOptions& options)
+      : worlds_(worlds), behavior_(behavior), genomes_(genomes), options_(options) {}
+
+  std::vector<Execution> run(const ValidationHooks& hooks) {
+    std::vector<Execution> executions(genomes_.size());
+    if (genomes_.empty()) return executions;
+    start_states_.resize(options_.start_states);
+    worlds_.forEach(start_states_.size(), [&](World& world, std::size_t s) {
+      if (!isCancelled(hooks)) start_states_[s] = afterPredecessors(world, s);
+    });
+    std::mutex mutex;
+    std::size_t done = 0;
+    worlds_.forEach(genomes_.size(), [&](World& world, std::size_t i) {
+      if (isCancelled(hooks)) return;
+      executions[i] = execute(world, i);
+      const std::lock_guard<std::mutex> lock(mutex);
+      ++done;
+      if (hooks.progress) hooks.progress(done, genomes_.size());
+    });
+    return executions;
+  }
+
+ private:
+  static bool isCancelled(const ValidationHooks& hooks) {
+    return hooks.cancelled != nullptr && hooks.cancelled->load();
+  }
+
+  WorldState afterPredecessors(World& world, std::size_t s) const {
+    Random random = generator(options_.seed, Purpose::kStartState, s);
+    world.restart();
+    const std::uint64_t places = 2 + random.below(2);
+    for (std::uint64_t place = 0; place < places; ++place) playPredecessor(world, random);
+    return world.state();
+  }
+
+  void playPredecessor(World& world, Random& random) const {
+    const WorldState before = world.state();
+    for (int draw = 0; draw < kMaxDraws; ++draw) {
+      const Genome& genome = genomes_[random.below(genomes_.size())];
+      if (playGenome(world, genome).walked()) return;
+      world.restore(before);
+    }
+  }
+
+  Outcome playGenome(World& world, const Genome& genome) const {
+    const Behavior behavior(world.robot(), canonical(genome), behavior_);
+    return play(world, behavior, behavior_.command_period_s);
+  }
+
+  Execution execute(World& world, std::size_t i) const {
+    const Behavior behavior(world.robot(), canonical(genomes_[i]), behavior_);
+    std::vector<BatchRun> runs;
+    for (const std::size_t s : chooseStartStates(i)) {
+      runs.push_back({&behavior, &start_states_[s]});
+    }
+    return summarize(playEach(world, runs, behavior_.command_period_s));
+  }
+
+  // The first `trials` of a random permutation.
+  std::vector<std::size_t> chooseStartStates(std::size_t i) const {
+    Random random = generator(options_.seed, Purpose::kEntry, i);
+    std::vector<std::size_t> states(start_states_.size());
+    std::iota(states.begin(), states.end(), std::size_t{0});
+    const std::size_t trials = static_cast<std::size_t>(options_.trials);
+    for (std::size_t k = 0; k < trials; ++k) {
+      std::swap(states[k], states[k + random.below(states.size() - k)]);
+    }
+    states.resize(trials);
+    return states;
+  }
+
+  WorldPool& worlds_;
+  const BehaviorOptions& behavior_;
+  const std::vector<Genome>& genomes_;
+  const ValidationOptions& options_;
+  std::vector<WorldState> start_states_;
+};
+
+}  // namespace
+
+std::vector<Execution> validate(WorldPool& worlds, const BehaviorOptions& behavior,
+                                const std::vector<Genome>& genomes,
+                                const ValidationOptions& options, const ValidationHooks& hooks) {
+  check(options);
+  return Validation(worlds, behavior, genomes, options).run(hooks);
+}
+
+Execution summarize(const std::vector<Outcome>& outcomes) {
+  std::vector<Pose2> ends;
+  for (const Outcome& outcome : outcomes) {
+    if (outcome.walked()) ends.push_back(outcome.end_pose);
+  }
+  Execution execution;
+  execution.trials = static_cast<int>(outcomes.size());
+  execution.falls = static_cast<int>(outcomes.size() - ends.size());
+  if (ends.empty()) return execution;
+
+  const double count = static_cast<double>(ends.size());
+  double cosines = 0.0;
+  double sines = 0.0;
+  for (const Pose2& end : ends) {
+    execution.mean.x_m += end.x_m / count;
+    execution.mean.y_m += end.y_m / count;
+    cosines += std::cos(end.yaw_rad);
+    sines += std::sin(end.yaw_rad);
+  }
+  execution.mean.yaw_rad = std::atan2(sines, cosines);
+  double square_distances = 0.0;
+  double square_angles = 0.0;
+  for (const Pose2& end : ends) {
+    square_distances += std::pow(distance(end, execution.mean), 2);
+    square_angles += std::pow(headingDistance(end, execution.mean), 2);
+  }
+  execution.spread_m = std::sqrt(square_distances / count);
+  execution.spread_rad = std::sqrt(square_angles / count);
+  return execution;
+}
+
+}  // namespace hexapod

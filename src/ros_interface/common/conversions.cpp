@@ -1,0 +1,168 @@
+#include "ros_interface/common/conversions.h"
+
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "geometry/arc.h"
+#include "repertoire/repertoire_file.h"
+#include "ros_interface/common/names.h"
+
+namespace hexapod {
+namespace {
+
+hexapod_repertoire::RepertoireEntry toMsg(const Entry& entry) {
+  hexapod_repertoire::RepertoireEntry message;
+  message.id = entry.id;
+  message.genome = entry.genome;
+  message.end_pose = toPose2DMsg(entry.end_pose);
+  message.orientation_error_rad = entry.orientation_error_rad;
+  const Arc arc = arcThrough(entry.end_pose.x_m, entry.end_pose.y_m);
+  message.curvature_per_m = arc.curvature_per_m;
+  message.arc_length_m = arc.length_m;
+  message.evaluation = entry.evaluation;
+  if (entry.execution) {
+    message.trials = entry.execution->trials;
+    message.falls = entry.execution->falls;
+    message.executed_pose = toPose2DMsg(entry.execution->mean);
+    message.spread_m = entry.execution->spread_m;
+    message.spread_rad = entry.execution->spread_rad;
+  }
+  return message;
+}
+
+Pose2 fromMsg(const geometry_msgs::Pose2D& message) {
+  return {message.x, message.y, message.theta};
+}
+
+Entry fromMsg(const hexapod_repertoire::RepertoireEntry& message) {
+  Entry entry;
+  entry.id = message.id;
+  entry.genome = message.genome;
+  entry.end_pose = fromMsg(message.end_pose);
+  entry.orientation_error_rad = message.orientation_error_rad;
+  entry.evaluation = message.evaluation;
+  if (message.trials > 0) {
+    entry.execution =
+        Execution{fromMsg(message.executed_pose), message.spread_m, message.spread_rad,
+                  static_cast<int>(message.trials), static_cast<int>(message.falls)};
+  }
+  return entry;
+}
+
+// What is wrong with an entry, or "".
+std::string problemOf(const Entry& entry, std::size_t gene_count) {
+  if (entry.genome.size() != gene_count) {
+    return "has " + std::to_string(entry.genome.size()) + " genes, the others have " +
+           std::to_string(gene_count);
+  }
+  for (const std::uint8_t level : entry.genome) {
+    if (level >= kGeneLevels)
+      return "has a gene of level " + std::to_string(level) + ", 0..4 exist";
+  }
+  const bool finite = isFinite(entry.end_pose) && std::isfinite(entry.orientation_error_rad) &&
+                      (!entry.execution || (isFinite(entry.execution->mean) &&
+                                            std::isfinite(entry.execution->spread_m) &&
+                                            std::isfinite(entry.execution->spread_rad)));
+  return finite ? "" : "has a pose or spread that is not finite";
+}
+
+}  // namespace
+
+hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp) {
+  hexapod_repertoire::Repertoire message;
+  message.header.stamp = stamp;
+  message.header.frame_id = names::kFootprintFrame;
+  message.format_version = kFormatVersion;
+  message.run_id = repertoire.run_id;
+  message.robot_id = repertoire.robot_id;
+  message.seed = repertoire.seed;
+  message.generation = repertoire.generation;
+  message.evaluations = repertoire.evaluations;
+  message.behavior_duration_s = repertoire.behavior_duration_s;
+  message.joint_names = repertoire.joint_names;
+  message.entries.reserve(repertoire.entries.size());
+  for (const Entry& entry : repertoire.entries) message.entries.push_back(toMsg(entry));
+  return message;
+}
+
+Repertoire fromMsg(const hexapod_repertoire::Repertoire& message) {
+  Repertoire repertoire;
+  repertoire.run_id = message.run_id;
+  repertoire.robot_id = message.robot_id;
+  repertoire.seed = message.seed;
+  repertoire.generation = message.generation;
+  repertoire.evaluations = message.evaluations;
+  repertoire.behavior_duration_s = message.behavior_duration_s;
+  repertoire.joint_names = message.joint_names;
+  std::set<std::int64_t> ids;
+  for (const auto& entry_message : message.entries) {
+    Entry entry = fromMsg(entry_message);
+    std::string problem = problemOf(entry, message.entries.front().genome.size());
+    if (!ids.insert(entry.id).second) problem = "stands there twice";
+    if (!problem.empty()) {
+      throw std::invalid_argument("The repertoire message of run '" + message.run_id +
+                                  "' is refused: entry " + std::to_string(entry.id) + " " +
+                                  problem + ".");
+    }
+    repertoire.entries.push_back(std::move(entry));
+  }
+  return repertoire;
+}
+
+geometry_msgs::Pose toPoseMsg(const Pose2& pose) {
+  geometry_msgs::Pose message;
+  message.position.x = pose.x_m;
+  message.position.y = pose.y_m;
+  message.orientation.z = std::sin(pose.yaw_rad / 2.0);
+  message.orientation.w = std::cos(pose.yaw_rad / 2.0);
+  return message;
+}
+
+geometry_msgs::Pose2D toPose2DMsg(const Pose2& pose) {
+  geometry_msgs::Pose2D message;
+  message.x = pose.x_m;
+  message.y = pose.y_m;
+  message.theta = pose.yaw_rad;
+  return message;
+}
+
+nav_msgs::Path toPathMsg(const std::vector<Pose2>& poses, const std::string& frame,
+                         const ros::Time& stamp) {
+  nav_msgs::Path path;
+  path.header.frame_id = frame;
+  path.header.stamp = stamp;
+  for (const Pose2& pose : poses) {
+    geometry_msgs::PoseStamped stamped;
+    stamped.header = path.header;
+    stamped.pose = toPoseMsg(pose);
+    path.poses.push_back(stamped);
+  }
+  return path;
+}
+
+std::optional<Pose2> fromPoseMsg(const geometry_msgs::Pose& message, std::string& problem) {
+  const auto& p = message.position;
+  const auto& q = message.orientation;
+  for (const double number : {p.x, p.y, p.z, q.x, q.y, q.z, q.w}) {
+    if (!std::isfinite(number)) {
+      problem = "a coordinate of the pose is not a finite number";
+      return std::nullopt;
+    }
+  }
+  const double norm = std::sqrt(q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w);
+  if (std::abs(norm - 1.0) > 0.01) {
+    problem = "the quaternion has length " + std::to_string(norm) +
+              ", expected 1; for no rotation set orientation.w to 1";
+    return std::nullopt;
+  }
+  const double up = 1.0 - 2.0 * (q.x * q.x + q.y * q.y) / (norm * norm);
+  if (std::acos(std::min(1.0, std::max(-1.0, up))) > kMaxGoalTilt) {
+    problem = "the pose is tilted out of the plane; the robot walks on the floor, set only the yaw";
+    return std::nullopt;
+  }
+  const double yaw = std::atan2(2.0 * (q.w * q.z + q.x * q.y), 1.0 - 2.0 * (q.y * q.y + q.z * q.z));
+  return Pose2{p.x, p.y, yaw};
+}
+
+}  // namespace hexapod

@@ -1,0 +1,74 @@
+#include "ros_interface/common/node_process.h"
+
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/master.h>
+
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <iostream>
+#include <sstream>
+#include <stdexcept>
+#include <thread>
+
+namespace hexapod {
+namespace {
+
+constexpr std::chrono::milliseconds kPoll{50};
+constexpr int kPollsPerWarning = 60;
+
+std::atomic<bool> leave{false};
+
+void onSignal(int) { leave = true; }
+
+// False when asked to leave meanwhile.
+bool awaitMaster() {
+  for (int poll = 0; !leave; ++poll) {
+    if (ros::master::check()) return true;
+    if (poll % kPollsPerWarning == 0) {
+      ROS_WARN_STREAM("No ROS master answers at " << ros::master::getURI()
+                                                  << "; waiting. Start roscore or roslaunch.");
+    }
+    std::this_thread::sleep_for(kPoll);
+  }
+  return false;
+}
+
+void explain(const std::exception& error) {
+  std::istringstream lines(error.what());
+  for (std::string line; std::getline(lines, line);) ROS_FATAL_STREAM(line);
+}
+
+}  // namespace
+
+int runNode(int argc, char** argv, const NodeMain& node) {
+  if (argc > 1 && std::strcmp(argv[1], "--help") == 0) {
+    std::cout << node.options();
+    return 0;
+  }
+  ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
+  if (!awaitMaster()) return 0;
+  // Started here, ROS and its console outlive the body's node handles.
+  ros::start();
+  try {
+    return node.body();
+  } catch (const std::invalid_argument& error) {
+    explain(error);
+    return 2;
+  } catch (const std::exception& error) {
+    explain(error);
+    return 1;
+  }
+}
+
+const std::atomic<bool>& leaveFlag() { return leave; }
+
+bool askedToLeave() { return leave || !ros::ok(); }
+
+void waitUntilAskedToLeave() {
+  while (!askedToLeave()) std::this_thread::sleep_for(kPoll);
+}
+
+}  // namespace hexapod

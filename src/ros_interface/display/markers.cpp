@@ -1,0 +1,137 @@
+#include "ros_interface/display/markers.h"
+
+#include <geometry_msgs/Point.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/arc.h"
+#include "ros_interface/common/conversions.h"
+#include "ros_interface/common/names.h"
+
+namespace hexapod {
+namespace {
+
+constexpr double kRedError = 10.0 * M_PI / 180.0;
+constexpr double kTickLength = 0.025;
+constexpr double kHeightAboveFloor = 0.005;
+
+std_msgs::ColorRGBA color(double red, double green, double blue, double alpha = 1.0) {
+  std_msgs::ColorRGBA result;
+  result.r = static_cast<float>(red);
+  result.g = static_cast<float>(green);
+  result.b = static_cast<float>(blue);
+  result.a = static_cast<float>(alpha);
+  return result;
+}
+
+geometry_msgs::Point point(double x_m, double y_m) {
+  geometry_msgs::Point result;
+  result.x = x_m;
+  result.y = y_m;
+  result.z = kHeightAboveFloor;
+  return result;
+}
+
+visualization_msgs::Marker marker(const std::string& frame, const std::string& name, int id,
+                                  int type, double width_m) {
+  visualization_msgs::Marker result;
+  result.header.frame_id = frame;
+  result.ns = name;
+  result.id = id;
+  result.type = type;
+  result.pose.orientation.w = 1.0;
+  result.scale.x = width_m;
+  result.scale.y = width_m;
+  result.color.a = 1.0;
+  return result;
+}
+
+void addTick(visualization_msgs::Marker& lines, const Pose2& pose, double heading_rad) {
+  lines.points.push_back(point(pose.x_m, pose.y_m));
+  lines.points.push_back(point(pose.x_m + kTickLength * std::cos(heading_rad),
+                               pose.y_m + kTickLength * std::sin(heading_rad)));
+}
+
+// A list marker without points, or a line of one, is an error in rviz: ask for its deletion
+// instead.
+visualization_msgs::Marker shown(visualization_msgs::Marker marker) {
+  const std::size_t fewest = marker.type == visualization_msgs::Marker::LINE_STRIP ? 2 : 1;
+  if (marker.points.size() < fewest) marker.action = visualization_msgs::Marker::DELETE;
+  return marker;
+}
+
+visualization_msgs::Marker goalRing(const PlanPicture& picture) {
+  auto ring = marker(picture.frame, "goal", 0, visualization_msgs::Marker::LINE_STRIP, 0.008);
+  ring.color = color(0.9, 0.2, 0.6);
+  const double radius = std::max(picture.xy_tolerance_m, 0.01);
+  constexpr int kCorners = 36;
+  for (int i = 0; i <= kCorners; ++i) {
+    const double angle = 2.0 * M_PI * i / kCorners;
+    ring.points.push_back(point(picture.goal.x_m + radius * std::cos(angle),
+                                picture.goal.y_m + radius * std::sin(angle)));
+  }
+  return ring;
+}
+
+visualization_msgs::Marker goalArrow(const PlanPicture& picture) {
+  auto arrow = marker(picture.frame, "goal", 1, visualization_msgs::Marker::ARROW, 0.15);
+  arrow.pose = toPoseMsg(picture.goal);
+  arrow.scale.y = 0.02;
+  arrow.scale.z = 0.02;
+  arrow.color = color(0.9, 0.2, 0.6);
+  return arrow;
+}
+
+}  // namespace
+
+std_msgs::ColorRGBA errorColor(double orientation_error_rad) {
+  const double share = std::min(1.0, std::max(0.0, orientation_error_rad / kRedError));
+  return color(std::min(1.0, 2.0 * share), std::min(0.85, 1.7 * (1.0 - share)), 0.1);
+}
+
+visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire) {
+  const std::string frame = names::kFootprintFrame;
+  auto points = marker(frame, "end_points", 0, visualization_msgs::Marker::POINTS, 0.012);
+  auto headings = marker(frame, "headings", 1, visualization_msgs::Marker::LINE_LIST, 0.003);
+  auto tangents = marker(frame, "tangents", 2, visualization_msgs::Marker::LINE_LIST, 0.0015);
+  headings.color = color(0.1, 0.35, 0.9);
+  tangents.color = color(0.1, 0.1, 0.1);
+  for (const Entry& entry : repertoire.entries) {
+    const Pose2& pose = entry.expectedPose();
+    points.points.push_back(point(pose.x_m, pose.y_m));
+    points.colors.push_back(entry.usable() ? errorColor(orientationError(pose))
+                                           : color(0.5, 0.5, 0.5));
+    addTick(headings, pose, pose.yaw_rad);
+    addTick(tangents, pose, arcThrough(pose.x_m, pose.y_m).heading_rad);
+  }
+  visualization_msgs::MarkerArray array;
+  for (auto* list : {&points, &headings, &tangents}) {
+    list->frame_locked = true;
+    array.markers.push_back(shown(*list));
+  }
+  return array;
+}
+
+visualization_msgs::MarkerArray planMarkers(const PlanPicture& picture) {
+  auto path = marker(picture.frame, "path", 0, visualization_msgs::Marker::LINE_STRIP, 0.008);
+  auto stops = marker(picture.frame, "stops", 0, visualization_msgs::Marker::POINTS, 0.025);
+  auto headings = marker(picture.frame, "stops", 1, visualization_msgs::Marker::LINE_LIST, 0.006);
+  auto walked = marker(picture.frame, "walked", 0, visualization_msgs::Marker::POINTS, 0.02);
+  path.color = color(0.1, 0.7, 0.2);
+  stops.color = color(0.1, 0.7, 0.2);
+  headings.color = color(0.05, 0.4, 0.1);
+  walked.color = color(0.95, 0.6, 0.1);
+  for (const Pose2& pose : picture.path) path.points.push_back(point(pose.x_m, pose.y_m));
+  for (const Pose2& pose : picture.walked) walked.points.push_back(point(pose.x_m, pose.y_m));
+  for (const Pose2& pose : picture.stops) {
+    stops.points.push_back(point(pose.x_m, pose.y_m));
+    addTick(headings, pose, pose.yaw_rad);
+  }
+  visualization_msgs::MarkerArray array;
+  array.markers = {shown(path),   shown(stops),      shown(headings),
+                   shown(walked), goalRing(picture), goalArrow(picture)};
+  return array;
+}
+
+}  // namespace hexapod

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <visualization_msgs/MarkerArray.h>
+
+#include <string>
+#include <vector>
+
+#include "geometry/pose2.h"
+#include "repertoire/repertoire.h"
+
+namespace hexapod {
+
+/// Colour of an orientation error: green at 0, yellow at 5 degrees, red at 10 degrees and above.
+std_msgs::ColorRGBA errorColor(double orientation_error_rad);
+
+/// The repertoire in the robot's base_footprint, as figure 3 of the paper: a point per end pose
+/// coloured by orientation error, a line along the final heading, a dark line along the arc's
+/// tangent; entries that may not be used are grey. Three list markers with fixed ids, whatever the
+/// number of entries. They follow the robot while it stands; stamp 0 lets rviz take the latest tf.
+visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire);
+
+/// What the plan markers show, all in one frame.
+struct PlanPicture {
+  std::string frame;
+  std::vector<Pose2> path;    ///< dense, along the arcs
+  std::vector<Pose2> stops;   ///< pose predicted after each behaviour
+  std::vector<Pose2> walked;  ///< poses measured after each behaviour so far
+  Pose2 goal;
+  double xy_tolerance_m = 0.0;
+};
+
+/// The plan as a line, its stops as points with headings, the goal as a ring with an arrow, the
+/// walked poses as a trail. Fixed ids.
+visualization_msgs::MarkerArray planMarkers(const PlanPicture& picture);
+
+}  // namespace hexapod

@@ -1,0 +1,73 @@
+#include "ros_interface/display/walk_display.h"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <visualization_msgs/MarkerArray.h>
+
+#include "hexapod_repertoire/StepReport.h"
+#include "planning/path.h"
+#include "ros_interface/common/conversions.h"
+
+namespace hexapod {
+namespace {
+
+constexpr double kPathSpacing_m = 0.02;
+
+std::vector<Pose2> stopsOf(const PlanResult& plan) {
+  std::vector<Pose2> stops;
+  for (const PlannedStep& step : plan.steps) stops.push_back(step.world_from_end);
+  return stops;
+}
+
+}  // namespace
+
+nav_msgs::Path pathOf(const Pose2& start, const PlanResult& plan, const std::string& frame) {
+  return toPathMsg(samplePath(start, stopsOf(plan), kPathSpacing_m), frame, ros::Time::now());
+}
+
+WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                         const std::string& frame)
+    : frame_(frame),
+      plan_publisher_(node.advertise<nav_msgs::Path>("plan", 1, true)),
+      goal_publisher_(node.advertise<geometry_msgs::PoseStamped>("current_goal", 1, true)),
+      marker_publisher_(node.advertise<visualization_msgs::MarkerArray>("plan_markers", 1, true)),
+      step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)) {}
+
+void WalkDisplay::showGoal(const Pose2& goal) {
+  geometry_msgs::PoseStamped message;
+  message.header.frame_id = frame_;
+  message.header.stamp = ros::Time::now();
+  message.pose = toPoseMsg(goal);
+  goal_publisher_.publish(message);
+}
+
+void WalkDisplay::showPlan(const Pose2& start, const PlanResult& plan,
+                           const std::vector<Pose2>& walked, const Pose2& goal,
+                           double xy_tolerance_m) {
+  PlanPicture picture;
+  picture.frame = frame_;
+  picture.stops = stopsOf(plan);
+  picture.path = samplePath(start, picture.stops, kPathSpacing_m);
+  picture.walked = walked;
+  picture.goal = goal;
+  picture.xy_tolerance_m = xy_tolerance_m;
+  plan_publisher_.publish(toPathMsg(picture.path, frame_, ros::Time::now()));
+  marker_publisher_.publish(planMarkers(picture));
+}
+
+void WalkDisplay::reportStep(const std::string& goal_id, std::uint32_t number,
+                             const PlannedStep& step, const Pose2& before, const Pose2& after) {
+  hexapod_repertoire::StepReport report;
+  report.header.frame_id = frame_;
+  report.header.stamp = ros::Time::now();
+  report.goal_id = goal_id;
+  report.step = number;
+  report.entry_id = step.id;
+  report.start = toPose2DMsg(before);
+  report.predicted = toPose2DMsg(step.world_from_end);
+  report.measured = toPose2DMsg(after);
+  report.xy_error_m = distance(step.world_from_end, after);
+  report.yaw_error_rad = headingDistance(step.world_from_end, after);
+  step_publisher_.publish(report);
+}
+
+}  // namespace hexapod

@@ -1,0 +1,132 @@
+#include "ros_interface/executor/execute_action.h"
+
+#include <ros/console.h>
+
+#include <exception>
+
+#include "ros_interface/common/names.h"
+
+namespace hexapod {
+namespace {
+
+constexpr double kFeedbackPeriod_s = 0.2;
+
+using Result = hexapod_repertoire::ExecuteBehaviorResult;
+
+std::uint8_t codeOf(Reason reason) {
+  switch (reason) {
+    case Reason::kFinished:
+      return Result::SUCCEEDED;
+    case Reason::kCancelled:
+      return Result::PREEMPTED;
+    case Reason::kStopRequested:
+    case Reason::kEStop:
+    case Reason::kDisarmRequested:
+    case Reason::kShutDown:
+      return Result::STOPPED;
+    default:
+      return Result::FAULT;
+  }
+}
+
+}  // namespace
+
+ExecuteAction::ExecuteAction(ros::NodeHandle& node, SharedExecutor& executor,
+                             const RealtimeLoop& loop, const RobotDescription& robot,
+                             const BehaviorOptions& options)
+    : executor_(executor),
+      loop_(loop),
+      behaviors_(robot, options),
+      joint_names_(robot.jointNames()),
+      period_s_(options.command_period_s),
+      server_(node, names::kExecute, false) {
+  server_.registerGoalCallback([this](Goal goal) { onGoal(goal); });
+  server_.registerCancelCallback([this](Goal goal) { onCancel(goal); });
+  repertoire_subscriber_ =
+      node.subscribe(names::kRepertoire, 1, &ExecuteAction::onRepertoire, this);
+  server_.start();
+}
+
+void ExecuteAction::onRepertoire(const hexapod_repertoire::Repertoire::ConstPtr& message) {
+  const std::string problem = behaviors_.update(*message);
+  if (!problem.empty()) {
+    ROS_ERROR_STREAM(problem);
+    return;
+  }
+  ROS_INFO_STREAM("Playing from run '" << message->run_id << "', " << behaviors_.entryCount()
+                                       << " entries.");
+}
+
+void ExecuteAction::onGoal(Goal goal) {
+  std::string problem;
+  std::shared_ptr<const Behavior> behavior;
+  try {
+    behavior = behaviors_.find(*goal.getGoal(), problem);
+  } catch (const std::exception& error) {
+    problem = error.what();
+  }
+  if (!behavior) return reject(goal, Result::INVALID_GOAL, problem);
+  const Cause cause = executor_.start(*behavior, goal.getGoal()->entry_id);
+  if (!cause.accepted()) {
+    return reject(goal, Result::NOT_READY, sentence(cause, joint_names_));
+  }
+  goal.setAccepted();
+  goal_ = goal;
+  playing_ = true;
+  serial_ = executor_.status().serial;
+  behavior_ = behavior;
+  next_feedback_s_ = 0.0;
+}
+
+void ExecuteAction::onCancel(Goal goal) {
+  if (!playing_ || !(goal == goal_)) return;
+  // A behaviour that has just come to its end is not broken off any more; poll() tells.
+  executor_.cancel(Reason::kCancelled);
+}
+
+void ExecuteAction::reject(Goal& goal, std::uint8_t code, const std::string& message) {
+  Result result;
+  result.code = code;
+  result.message = message;
+  ROS_WARN_STREAM("Goal refused: " << message);
+  goal.setRejected(result, message);
+}
+
+void ExecuteAction::poll(const ExecutorStatus& status) {
+  if (!playing_) return;
+  if (status.last_end.serial >= serial_) return finish(status.last_end);
+  const double elapsed_s = static_cast<double>(status.played) * period_s_;
+  if (elapsed_s < next_feedback_s_) return;
+  next_feedback_s_ = elapsed_s + kFeedbackPeriod_s;
+  hexapod_repertoire::ExecuteBehaviorFeedback feedback;
+  feedback.elapsed_s = static_cast<float>(elapsed_s);
+  feedback.duration_s = static_cast<float>(behavior_->duration_s());
+  goal_.publishFeedback(feedback);
+}
+
+void ExecuteAction::finish(const BehaviorEnd& end) {
+  Result result;
+  result.code = codeOf(end.cause.reason);
+  result.message = sentence(end.cause, joint_names_);
+  result.finished = loop_.stamp(end.last_slot);
+  playing_ = false;
+  behavior_.reset();
+  if (result.code == Result::SUCCEEDED) {
+    goal_.setSucceeded(result, result.message);
+  } else if (result.code == Result::PREEMPTED) {
+    goal_.setCanceled(result, result.message);
+  } else {
+    goal_.setAborted(result, result.message);
+  }
+}
+
+void ExecuteAction::abort(const std::string& why) {
+  if (!playing_) return;
+  Result result;
+  result.code = Result::STOPPED;
+  result.message = why;
+  playing_ = false;
+  goal_.setAborted(result, why);
+}
+
+}  // namespace hexapod

@@ -1,0 +1,120 @@
+#include "ros_interface/executor/executor_node.h"
+
+#include <ros/callback_queue.h>
+#include <ros/console.h>
+#include <ros/init.h>
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "ros_interface/common/names.h"
+#include "ros_interface/common/params.h"
+
+namespace hexapod {
+namespace {
+
+// How often a status is looked at; a sixth of a command period.
+constexpr double kPoll_s = 0.005;
+constexpr std::int64_t kAutoArmPeriod_ns = 200'000'000;
+constexpr double kAutoArmWarnPeriod_s = 5.0;
+
+JointMap readJointMap(const std::string& path, const RobotDescription& robot) {
+  if (path.empty()) return JointMap::identity(robot.jointNames());
+  std::ifstream file(expandHome(path));
+  std::ostringstream text;
+  text << file.rdbuf();
+  if (!file) throw std::invalid_argument("~joint_map: the file " + path + " cannot be read.");
+  try {
+    return JointMap::fromYaml(text.str(), robot.jointNames(), path);
+  } catch (const std::runtime_error& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+std::int64_t periodOf(const BehaviorOptions& options) {
+  return std::llround(options.command_period_s * 1e9);
+}
+
+std::vector<std::string> topicsOf(const CommandSender& sender) {
+  std::vector<std::string> topics;
+  for (const ros::Publisher& publisher : sender.publishers())
+    topics.push_back(publisher.getTopic());
+  return topics;
+}
+
+}  // namespace
+
+ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                           const ExecutorNodeOptions& options, const RobotDescription& robot)
+    : robot_(robot),
+      map_(readJointMap(options.joint_map, robot_)),
+      auto_arm_(options.auto_arm),
+      executor_(robot_, options.behavior, options.executor),
+      sender_(makeCommandSender(node, options, robot_, map_)),
+      send_([this](const std::vector<double>& command) { sender_->send(tick_stamp_, command); }),
+      loop_(periodOf(options.behavior), loopCallbacks()),
+      action_(node, executor_, loop_, robot_, options.behavior),
+      services_(node, private_node, executor_, robot_.jointNames()),
+      feedback_(node, executor_, map_),
+      master_(topicsOf(*sender_)),
+      reports_(private_node, {*sender_, feedback_, services_, master_, loop_},
+               robot_.jointNames()) {
+  reset_subscriber_ = node.subscribe(names::kRobotReset, 1, &ExecutorNode::onReset, this,
+                                     ros::TransportHints().tcpNoDelay());
+}
+
+RealtimeLoop::Callbacks ExecutorNode::loopCallbacks() {
+  RealtimeLoop::Callbacks callbacks;
+  callbacks.tick = [this](std::int64_t slot, const ros::Time& stamp) {
+    tick_stamp_ = stamp;
+    executor_.tick(slot, send_);
+  };
+  callbacks.idle = [this] { executor_.serve(); };
+  callbacks.may_move_stamps = [this] { return executor_.modeInLoop() != ExecutorMode::kWalking; };
+  return callbacks;
+}
+
+ExecutorNode::End ExecutorNode::run(const std::atomic<bool>& leave) {
+  loop_.start();
+  End end = End::kAskedToLeave;
+  while (!leave && ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
+    if (loop_.takeTimeJump()) executor_.cancel(Reason::kTimeJumped);
+    const ExecutorStatus status = executor_.status();
+    action_.poll(status);
+    reports_.poll(status);
+    if (auto_arm_) autoArm();
+    const bool moving =
+        status.mode == ExecutorMode::kWalking || status.mode == ExecutorMode::kHolding;
+    if (master_.masterIsLost() && !moving) {
+      end = End::kMasterLost;
+      break;
+    }
+  }
+  executor_.stop(Reason::kShutDown);
+  loop_.stop();
+  action_.abort(sentence({Reason::kShutDown}, {}));
+  return end;
+}
+
+void ExecutorNode::autoArm() {
+  if (steadyNow_ns() < next_auto_arm_ns_ || loop_.waitsForClock()) return;
+  next_auto_arm_ns_ = steadyNow_ns() + kAutoArmPeriod_ns;
+  const Cause cause = executor_.arm();
+  // Once: after a stop or a fault, a person arms.
+  auto_arm_ = !cause.accepted() && executor_.status().cause.reason == Reason::kNeverArmed;
+  if (!auto_arm_) return;
+  ROS_WARN_STREAM_DELAYED_THROTTLE(kAutoArmWarnPeriod_s,
+                                   "Not armed yet: " << sentence(cause, robot_.jointNames()));
+}
+
+void ExecutorNode::onReset(const std_msgs::Header::ConstPtr& reset) {
+  // A behaviour that began after the reset is not concerned.
+  if (loop_.stamp(executor_.status().first_slot) < reset->stamp) {
+    executor_.cancel(Reason::kRobotReset);
+  }
+}
+
+}  // namespace hexapod

@@ -1,0 +1,32 @@
+#include "ros_interface/executor/executor_node_options.h"
+
+namespace hexapod {
+
+std::vector<Option> declareOptions(ExecutorNodeOptions& options) {
+  std::vector<Option> all = {
+      option("robot_config", options.robot_config,
+             "Path of the robot's YAML (legs, gait, servo, contact); its URDF is the parameter "
+             "robot_description."),
+      option("joint_map", options.joint_map,
+             "Path of a joint map (names, signs and offsets of the servo driver); empty: names "
+             "and angles of the robot description."),
+      option("command_interface", options.command_interface,
+             "Where commands go: joint_command (joint_state), trajectory or group position "
+             "controllers, one topic per joint, or nowhere.",
+             {CommandInterface::kJointState, CommandInterface::kJointTrajectory,
+              CommandInterface::kJointGroupPosition, CommandInterface::kPerJoint,
+              CommandInterface::kNone}),
+      option("controllers", options.controllers,
+             "For joint_trajectory and joint_group_position: the controller of all joints, or one "
+             "per leg in the order of the description, separated by commas."),
+      option("joint_topic", options.joint_topic,
+             "For per_joint: the topic of a joint; {joint} stands for its name."),
+      option("auto_arm", options.auto_arm,
+             "Stand up by itself once after the start; false: wait for ~arm."),
+  };
+  for (const Option& option : declareOptions(options.executor)) all.push_back(option);
+  for (const Option& option : declareOptions(options.behavior)) all.push_back(option);
+  return all;
+}
+
+}  // namespace hexapod

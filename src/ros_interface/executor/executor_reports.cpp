@@ -1,0 +1,170 @@
+#include "ros_interface/executor/executor_reports.h"
+
+#include <ros/console.h>
+
+#include "hexapod_repertoire/ExecutorState.h"
+
+namespace hexapod {
+namespace {
+
+constexpr double kStatePeriod_s = 1.0;
+constexpr double kListenerPatience_s = 2.0;
+constexpr double kListenerWarnPeriod_s = 10.0;
+constexpr double kClockWarnPeriod_s = 2.0;
+
+double steadyNow_s() { return 1e-9 * static_cast<double>(steadyNow_ns()); }
+
+std::string topicsWithoutListener(const CommandSender& sender) {
+  std::string topics;
+  for (const ros::Publisher& publisher : sender.publishers()) {
+    if (publisher.getNumSubscribers() > 0) continue;
+    topics += (topics.empty() ? "" : ", ") + publisher.getTopic();
+  }
+  return topics;
+}
+
+std::string otherCommanders(const CommandSender& sender, const MasterWatch& master) {
+  std::string others;
+  for (const ros::Publisher& publisher : sender.publishers()) {
+    for (const std::string& node : master.otherPublishers(publisher.getTopic())) {
+      others += (others.empty() ? "" : ", ") + node + " on " + publisher.getTopic();
+    }
+  }
+  return others;
+}
+
+}  // namespace
+
+ExecutorReports::ExecutorReports(const ros::NodeHandle& private_node, const Sources& sources,
+                                 std::vector<std::string> joint_names)
+    : sources_(sources),
+      joint_names_(std::move(joint_names)),
+      start_s_(steadyNow_s()),
+      next_listener_warning_s_(start_s_ + kListenerPatience_s),
+      next_clock_warning_s_(start_s_ + kClockWarnPeriod_s) {
+  ros::NodeHandle node(private_node);
+  state_publisher_ = node.advertise<hexapod_repertoire::ExecutorState>("state", 1, true);
+  updater_.setHardwareID("hexapod");
+  updater_.add("state", this, &ExecutorReports::reportState);
+  updater_.add("commands", this, &ExecutorReports::reportCommands);
+  updater_.add("feedback", this, &ExecutorReports::reportFeedback);
+  updater_.add("e_stop", this, &ExecutorReports::reportEStop);
+}
+
+void ExecutorReports::poll(const ExecutorStatus& status) {
+  const ExecutorStatus before = status_;
+  status_ = status;
+  const double now_s = steadyNow_s();
+  const bool changed = status.mode != before.mode || status.cause.reason != before.cause.reason ||
+                       status.entry_id != before.entry_id;
+  if (changed) logChange(before);
+  if (changed || now_s >= next_state_s_) {
+    publishState();
+    next_state_s_ = now_s + kStatePeriod_s;
+  }
+  watchCommandTopics(now_s);
+  watchClock(now_s);
+  updater_.update();
+}
+
+void ExecutorReports::publishState() {
+  hexapod_repertoire::ExecutorState message;
+  message.header.stamp = ros::Time::now();
+  message.state = static_cast<std::uint8_t>(status_.mode);
+  message.reason = sentence(status_.cause, joint_names_);
+  message.entry_id = status_.entry_id;
+  message.commands = status_.commands;
+  message.skipped = status_.skipped;
+  state_publisher_.publish(message);
+}
+
+void ExecutorReports::logChange(const ExecutorStatus& before) {
+  if (status_.mode == before.mode) return;
+  const std::string text =
+      std::string(toString(status_.mode)) + ": " + sentence(status_.cause, joint_names_);
+  if (status_.mode == ExecutorMode::kFault) {
+    ROS_ERROR_STREAM(text);
+  } else if (status_.mode == ExecutorMode::kStopped) {
+    ROS_WARN_STREAM(text);
+  } else if (status_.mode == ExecutorMode::kWalking || before.mode == ExecutorMode::kWalking) {
+    ROS_DEBUG_STREAM(text);
+  } else {
+    ROS_INFO_STREAM(text);
+  }
+}
+
+void ExecutorReports::watchCommandTopics(double now_s) {
+  const std::string foreign = otherCommanders(sources_.sender, sources_.master);
+  if (foreign != foreign_ && !foreign.empty()) {
+    ROS_ERROR_STREAM("Somebody else commands the joints: "
+                     << foreign << ". Stop it; the robot cannot obey two.");
+  }
+  foreign_ = foreign;
+  if (now_s < next_listener_warning_s_) return;
+  next_listener_warning_s_ = now_s + kListenerWarnPeriod_s;
+  const std::string unheard = topicsWithoutListener(sources_.sender);
+  if (unheard.empty()) return;
+  ROS_WARN_STREAM("Nobody listens to " << unheard << " (" << sources_.sender.messageType()
+                                       << "); start the robot's driver, or choose another "
+                                          "~command_interface.");
+}
+
+void ExecutorReports::watchClock(double now_s) {
+  if (!sources_.loop.waitsForClock() || now_s < next_clock_warning_s_) return;
+  next_clock_warning_s_ = now_s + kClockWarnPeriod_s;
+  ROS_WARN(
+      "/use_sim_time is true but no time comes on /clock; start what publishes /clock, or set "
+      "/use_sim_time to false.");
+}
+
+void ExecutorReports::reportState(Diagnostics& diagnostics) {
+  const bool bad = status_.mode == ExecutorMode::kFault || status_.mode == ExecutorMode::kStopped;
+  diagnostics.summary(
+      bad ? diagnostic_msgs::DiagnosticStatus::ERROR : diagnostic_msgs::DiagnosticStatus::OK,
+      std::string(toString(status_.mode)) + ": " + sentence(status_.cause, joint_names_));
+  const LoopTiming timing = sources_.loop.timing();
+  diagnostics.add("Ticks", timing.ticks);
+  diagnostics.add("Ticks skipped", timing.skipped);
+  diagnostics.add("Mean lateness [ms]", 1e3 * timing.mean_lateness_s);
+  diagnostics.add("Largest lateness [ms]", 1e3 * timing.largest_lateness_s);
+  diagnostics.add("Real-time priority", sources_.loop.hasRealtimePriority());
+  if (sources_.loop.waitsForClock()) {
+    diagnostics.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "Waiting for /clock.");
+  }
+}
+
+void ExecutorReports::reportCommands(Diagnostics& diagnostics) {
+  const std::string unheard = topicsWithoutListener(sources_.sender);
+  diagnostics.summary(diagnostic_msgs::DiagnosticStatus::OK, "Command topics are in order.");
+  if (!foreign_.empty()) {
+    diagnostics.summary(diagnostic_msgs::DiagnosticStatus::ERROR,
+                        "Somebody else commands the joints: " + foreign_);
+  } else if (!unheard.empty()) {
+    diagnostics.summary(diagnostic_msgs::DiagnosticStatus::WARN, "Nobody listens to " + unheard);
+  }
+  diagnostics.add("Commands sent", status_.commands);
+  diagnostics.add("Commands skipped", status_.skipped);
+  diagnostics.add("Commands held back by limits", status_.clamped);
+}
+
+void ExecutorReports::reportFeedback(Diagnostics& diagnostics) {
+  const bool lost = status_.cause.reason == Reason::kFeedbackLost;
+  diagnostics.summary(
+      lost ? diagnostic_msgs::DiagnosticStatus::ERROR : diagnostic_msgs::DiagnosticStatus::OK,
+      lost ? "Feedback lost." : "Joint states on " + sources_.feedback.topic());
+  diagnostics.add("Messages used", sources_.feedback.received());
+  diagnostics.add("Messages refused", sources_.feedback.refused());
+  diagnostics.add("Last refused because", sources_.feedback.problem());
+}
+
+void ExecutorReports::reportEStop(Diagnostics& diagnostics) {
+  const std::uint32_t publishers = sources_.services.eStopPublishers();
+  const bool gone = had_e_stop_ && publishers == 0;
+  had_e_stop_ = had_e_stop_ || publishers > 0;
+  diagnostics.summary(
+      gone ? diagnostic_msgs::DiagnosticStatus::WARN : diagnostic_msgs::DiagnosticStatus::OK,
+      gone ? "The publisher of e_stop is gone; only ~stop stops the robot now."
+           : (publishers > 0 ? "Somebody publishes e_stop." : "Nobody publishes e_stop."));
+}
+
+}  // namespace hexapod

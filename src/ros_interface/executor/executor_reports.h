@@ -1,0 +1,64 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "execution/executor_status.h"
+#include "ros_interface/common/master_watch.h"
+#include "ros_interface/common/realtime_loop.h"
+#include "ros_interface/executor/command_sender.h"
+#include "ros_interface/executor/executor_services.h"
+#include "ros_interface/executor/joint_feedback.h"
+
+namespace hexapod {
+
+/// Tells people how the executor is: the latched topic ~state, diagnostics, and log sentences about
+/// changes, a command topic nobody listens to or somebody else publishes on, a clock that does not
+/// come. Used by one thread.
+class ExecutorReports {
+ public:
+  struct Sources {
+    const CommandSender& sender;
+    const JointFeedback& feedback;
+    const ExecutorServices& services;
+    const MasterWatch& master;
+    const RealtimeLoop& loop;
+  };
+
+  /// The sources must outlive it.
+  ExecutorReports(const ros::NodeHandle& private_node, const Sources& sources,
+                  std::vector<std::string> joint_names);
+
+  void poll(const ExecutorStatus& status);
+
+ private:
+  using Diagnostics = diagnostic_updater::DiagnosticStatusWrapper;
+
+  void publishState();
+  void logChange(const ExecutorStatus& before);
+  void watchCommandTopics(double now_s);
+  void watchClock(double now_s);
+  void reportState(Diagnostics& diagnostics);
+  void reportCommands(Diagnostics& diagnostics);
+  void reportFeedback(Diagnostics& diagnostics);
+  void reportEStop(Diagnostics& diagnostics);
+
+  Sources sources_;
+  std::vector<std::string> joint_names_;
+  ros::Publisher state_publisher_;
+  diagnostic_updater::Updater updater_;
+  ExecutorStatus status_;
+  double start_s_;
+  double next_state_s_ = 0.0;
+  double next_listener_warning_s_;
+  double next_clock_warning_s_;
+  std::string foreign_;
+  bool had_e_stop_ = false;
+};
+
+}  // namespace hexapod

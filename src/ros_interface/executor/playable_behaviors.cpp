@@ -1,0 +1,100 @@
+#include "ros_interface/executor/playable_behaviors.h"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace hexapod {
+namespace {
+
+// Durations are sums of decimal options; anything above rounding is another behaviour.
+constexpr double kSameDuration_s = 1e-6;
+
+double durationOf(const BehaviorOptions& options) {
+  return static_cast<double>(behaviorParts(options).total()) * options.command_period_s;
+}
+
+}  // namespace
+
+PlayableBehaviors::PlayableBehaviors(const RobotDescription& robot, const BehaviorOptions& options)
+    : robot_(robot),
+      options_(options),
+      duration_s_(durationOf(options)),
+      problem_("No repertoire has come yet; start a learner or a repertoire_server.") {
+  checkReturnIsSlowEnough(robot, options);
+}
+
+std::string PlayableBehaviors::update(const hexapod_repertoire::Repertoire& message) {
+  genomes_.clear();
+  run_id_ = message.run_id;
+  problem_ = mismatch(message);
+  if (!problem_.empty()) return problem_;
+  for (const hexapod_repertoire::RepertoireEntry& entry : message.entries) {
+    const Genome genome(entry.genome.begin(), entry.genome.end());
+    const std::string illegal = checkGenome(genome);
+    if (!illegal.empty() || entry.id < 0 || !genomes_.emplace(entry.id, genome).second) {
+      problem_ = "Entry " + std::to_string(entry.id) + " of the repertoire is refused: " +
+                 (illegal.empty() ? "its id is negative or occurs twice." : illegal);
+      genomes_.clear();
+      return problem_;
+    }
+  }
+  return "";
+}
+
+std::string PlayableBehaviors::mismatch(const hexapod_repertoire::Repertoire& message) const {
+  if (message.robot_id != robot_.digest) {
+    return "The repertoire was learned for the robot " + message.robot_id + ", this one is " +
+           robot_.digest + " (" + robot_.name + "); learn one for this robot description.";
+  }
+  if (message.joint_names != robot_.jointNames()) {
+    return "The repertoire's joint names are not those of the robot description.";
+  }
+  if (!(std::abs(message.behavior_duration_s - duration_s_) < kSameDuration_s)) {
+    return "The repertoire's behaviours take " + std::to_string(message.behavior_duration_s) +
+           " s, the executor's " + std::to_string(duration_s_) +
+           " s; give both the same gait_duration_s, return_duration_s, rest_duration_s and "
+           "end_pose.";
+  }
+  return "";
+}
+
+std::string PlayableBehaviors::checkGenome(const Genome& genome) const {
+  if (genome.size() != robot_.geneCount()) {
+    return "The genome has " + std::to_string(genome.size()) + " genes; this robot has " +
+           std::to_string(robot_.geneCount()) + ".";
+  }
+  for (std::size_t i = 0; i < genome.size(); ++i) {
+    if (genome[i] < kGeneLevels) continue;
+    return "Gene " + std::to_string(i) + " of the genome is " + std::to_string(genome[i]) +
+           "; expected 0 .. " + std::to_string(kGeneLevels - 1) + ".";
+  }
+  return "";
+}
+
+std::shared_ptr<const Behavior> PlayableBehaviors::find(
+    const hexapod_repertoire::ExecuteBehaviorGoal& goal, std::string& problem) const {
+  Genome genome(goal.genome.begin(), goal.genome.end());
+  if (goal.entry_id == -1) {
+    problem = checkGenome(genome);
+  } else if (!problem_.empty()) {
+    problem = problem_;
+  } else if (goal.run_id != run_id_) {
+    problem = "The goal quotes the run '" + goal.run_id + "'; the repertoire at hand is of run '" +
+              run_id_ + "'.";
+  } else {
+    const auto found = genomes_.find(goal.entry_id);
+    if (found == genomes_.end() && !genome.empty()) {
+      problem = checkGenome(genome);  // of another state of a growing repertoire
+    } else if (found == genomes_.end()) {
+      problem = "Entry " + std::to_string(goal.entry_id) + " is not in the repertoire of run '" +
+                run_id_ + "' (" + std::to_string(genomes_.size()) + " entries).";
+    } else {
+      genome = found->second;
+      problem.clear();
+    }
+  }
+  if (!problem.empty()) return nullptr;
+  return std::make_shared<const Behavior>(robot_, canonical(genome), options_);
+}
+
+}  // namespace hexapod

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "gait/behavior.h"
+#include "hexapod_repertoire/ExecuteBehaviorGoal.h"
+#include "hexapod_repertoire/Repertoire.h"
+#include "robot/robot_description.h"
+
+namespace hexapod {
+
+/// What may be played: the entries of the last repertoire that fits this robot, and bare genomes.
+/// Trusts no message. Not thread-safe.
+class PlayableBehaviors {
+ public:
+  PlayableBehaviors(const RobotDescription& robot, const BehaviorOptions& options);
+
+  /// Takes over a repertoire, or returns a sentence why it does not fit: another robot, joints or
+  /// duration, illegal entries. A repertoire that does not fit leaves none to play from.
+  std::string update(const hexapod_repertoire::Repertoire& message);
+
+  /// The behaviour of a goal; nullptr with a sentence in `problem` when it names none.
+  std::shared_ptr<const Behavior> find(const hexapod_repertoire::ExecuteBehaviorGoal& goal,
+                                       std::string& problem) const;
+
+  std::size_t entryCount() const { return genomes_.size(); }
+
+ private:
+  std::string mismatch(const hexapod_repertoire::Repertoire& message) const;
+  std::string checkGenome(const Genome& genome) const;
+
+  const RobotDescription& robot_;
+  BehaviorOptions options_;
+  double duration_s_;
+  std::string run_id_;
+  std::string problem_;  // of the last repertoire
+  std::unordered_map<std::int64_t, Genome> genomes_;
+};
+
+}  // namespace hexapod

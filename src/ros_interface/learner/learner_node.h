@@ -1,0 +1,59 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+#include <ros/service_server.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <string>
+
+#include "learning/learning_session.h"
+#include "ros_interface/learner/repertoire_publisher.h"
+
+namespace hexapod {
+
+/// Options of the learner node: those of the run, and how it is published.
+struct LearnerOptions {
+  LearnOptions learn;
+  std::string robot_config;
+  double publish_period_s = 10.0;
+  bool exit_when_done = false;
+};
+
+/// The options under their names, bound to `options`, which must outlive them.
+std::vector<Option> declareOptions(LearnerOptions& options);
+
+/// Shows a LearningSession to ROS: repertoire and markers when they changed (at most every
+/// publish_period_s), ~progress and a line on the terminal once a second, ~save and ~pause.
+class LearnerNode {
+ public:
+  /// Throws as LearningSession does, and for a robot description that is missing or wrong.
+  LearnerNode(ros::NodeHandle& node, ros::NodeHandle& private_node, const LearnerOptions& options);
+
+  /// Learns in the calling thread until done or ROS shuts down. Returns true when all was done.
+  bool run();
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  void progress();
+  void publishProgress(const LearningStatus& status);
+
+  LearnerOptions options_;
+  LearningSession session_;
+  RepertoirePublisher repertoire_publisher_;
+  ros::Publisher progress_publisher_;
+  ros::ServiceServer save_;
+  ros::ServiceServer pause_;
+  std::atomic<bool> paused_{false};
+  std::string run_id_;
+  Clock::time_point told_{};
+  Clock::time_point published_{};
+  Clock::time_point complained_{};
+};
+
+}  // namespace hexapod

@@ -1,0 +1,79 @@
+#include "ros_interface/simulated_robot/robot_commands.h"
+
+#include <ros/console.h>
+
+#include "ros_interface/common/names.h"
+#include "ros_interface/common/realtime_loop.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 50;
+constexpr double kWarnPeriod_s = 5.0;
+// Limits that went through text.
+constexpr double kLimitSlack_rad = 1e-6;
+// A longer pause between two commands is no stream.
+constexpr std::int64_t kLongestPeriod_ns = 200'000'000;
+
+}  // namespace
+
+RobotCommands::RobotCommands(ros::NodeHandle& node, const RobotDescription& robot,
+                             std::int64_t latency_ns)
+    : matcher_(robot.jointNames(), JointMatcher::OtherJoints::kRefuse), schedule_(latency_ns) {
+  for (const Joint* joint : robot.joints()) joints_.push_back(*joint);
+  subscriber_ = node.subscribe(names::kJointCommand, kQueueSize, &RobotCommands::onCommand, this,
+                               ros::TransportHints().tcpNoDelay());
+}
+
+const std::vector<double>* RobotCommands::due(std::int64_t step_ns) {
+  last_step_ns_ = step_ns;
+  return schedule_.due(step_ns);
+}
+
+bool RobotCommands::expects(std::int64_t time_ns) const {
+  return period_ns_ > 0 && schedule_.newestStamp_ns() + period_ns_ <= time_ns;
+}
+
+void RobotCommands::onCommand(const sensor_msgs::JointState::ConstPtr& message) {
+  ++counts_.received;
+  if (!matcher_.match(message->name, message->position) || !withinLimits(matcher_.values())) {
+    if (!matcher_.problem().empty()) problem_ = matcher_.problem();
+    ++counts_.refused;
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriod_s, "A joint command is ignored: " << problem_);
+    return;
+  }
+  const std::int64_t before_ns = schedule_.newestStamp_ns();
+  switch (schedule_.add(toNs(message->header.stamp), last_step_ns_, matcher_.values())) {
+    case CommandSchedule::Arrival::kScheduled:
+      break;
+    case CommandSchedule::Arrival::kLate:
+      ++counts_.late;
+      break;
+    case CommandSchedule::Arrival::kForeign:
+      ++counts_.foreign;
+      break;
+    case CommandSchedule::Arrival::kOld:
+    case CommandSchedule::Arrival::kFull:
+      ++counts_.dropped;
+      break;
+  }
+  const std::int64_t period_ns = schedule_.newestStamp_ns() - before_ns;
+  period_ns_ = before_ns > 0 && period_ns <= kLongestPeriod_ns ? period_ns : 0;
+}
+
+bool RobotCommands::withinLimits(const std::vector<double>& targets_rad) {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    const Joint& joint = joints_[j];
+    if (targets_rad[j] >= joint.lower_rad - kLimitSlack_rad &&
+        targets_rad[j] <= joint.upper_rad + kLimitSlack_rad) {
+      continue;
+    }
+    problem_ = "The target of joint '" + joint.name + "' is " + std::to_string(targets_rad[j]) +
+               " rad; expected " + std::to_string(joint.lower_rad) + " .. " +
+               std::to_string(joint.upper_rad) + " rad.";
+    return false;
+  }
+  return true;
+}
+
+}  // namespace hexapod

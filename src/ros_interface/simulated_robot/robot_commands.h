@@ -1,0 +1,59 @@
+#pragma once
+
+#include <ros/node_handle.h>
+#include <sensor_msgs/JointState.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "execution/command_schedule.h"
+#include "execution/joint_matcher.h"
+#include "robot/robot_description.h"
+
+namespace hexapod {
+
+/// Receives joint_command and holds each command until its step. Physics sees only commands that
+/// name every joint once, finite and within its limits; the others are counted and left out.
+/// Used by one thread.
+class RobotCommands {
+ public:
+  struct Counts {
+    std::uint64_t received = 0;
+    std::uint64_t refused = 0;
+    std::uint64_t late = 0;     ///< came after the step they should act from
+    std::uint64_t foreign = 0;  ///< stamped by another clock
+    std::uint64_t dropped = 0;  ///< out of order, or too many
+  };
+
+  RobotCommands(ros::NodeHandle& node, const RobotDescription& robot, std::int64_t latency_ns);
+
+  /// The targets that act from the step that begins at `step_ns`; nullptr: those before go on.
+  const std::vector<double>* due(std::int64_t step_ns);
+
+  /// True when the stream of stamped commands is alive and the one for `time_ns` has not come yet.
+  bool expects(std::int64_t time_ns) const;
+  /// The stream is over until the next command.
+  void giveUp() { period_ns_ = 0; }
+
+  void clear() { schedule_.clear(); }
+
+  const Counts& counts() const { return counts_; }
+  /// Sentence about the last command refused; empty when none was.
+  const std::string& problem() const { return problem_; }
+
+ private:
+  void onCommand(const sensor_msgs::JointState::ConstPtr& message);
+  bool withinLimits(const std::vector<double>& targets_rad);
+
+  std::vector<Joint> joints_;
+  JointMatcher matcher_;
+  CommandSchedule schedule_;
+  std::int64_t last_step_ns_ = 0;
+  std::int64_t period_ns_ = 0;  // between the two newest commands; 0: unknown
+  Counts counts_;
+  std::string problem_;
+  ros::Subscriber subscriber_;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,167 @@
+#include "ros_interface/simulated_robot/simulated_robot_node.h"
+
+#include <ros/callback_queue.h>
+#include <ros/console.h>
+#include <ros/init.h>
+#include <std_msgs/Header.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "ros_interface/common/names.h"
+#include "ros_interface/common/realtime_loop.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::int64_t kMs = 1'000'000;
+// Callbacks are served at least this often, so that a signal is seen.
+constexpr std::int64_t kLongestWait_ns = 50 * kMs;
+// After a stall, commands that lie in the sockets are read before the missed steps are taken.
+constexpr std::int64_t kStall_ns = 30 * kMs;
+constexpr std::int64_t kReadAfterStall_ns = 5 * kMs;
+// Stopped for longer than this, the world has stood still instead.
+constexpr std::int64_t kLongestCatchUp_ns = 10'000 * kMs;
+constexpr std::int64_t kCommandPatience_ns = 500 * kMs;
+
+Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& robot) {
+  const EngineChoice choice = chooseEngine(options.engine, robot);
+  if (!choice.remark.empty()) ROS_WARN_STREAM(choice.remark);
+  return choice.engine;
+}
+
+}  // namespace
+
+SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                                       const SimulatedRobotOptions& options,
+                                       const RobotDescription& robot)
+    : options_(options),
+      world_(makeWorld(engineFor(options, robot), robot, options.physics)),
+      step_ns_(std::llround(options.physics.step_s * 1e9)),
+      time_ns_(static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
+      steady_start_ns_(steadyNow_ns()),
+      commands_(node, robot, std::llround(options.command_latency_s * 1e9)),
+      publisher_(node, robot, options.publish_clock),
+      reset_publisher_(node.advertise<std_msgs::Header>(names::kRobotReset, 1)),
+      reset_service_(private_node.advertiseService("reset", &SimulatedRobotNode::onReset, this)),
+      pause_service_(private_node.advertiseService("pause", &SimulatedRobotNode::onPause, this)) {
+  updater_.setHardwareID("simulated hexapod");
+  updater_.add("simulation", this, &SimulatedRobotNode::report);
+}
+
+void SimulatedRobotNode::run(const std::atomic<bool>& leave) {
+  while (!leave && ros::ok()) {
+    updater_.update();
+    const std::int64_t wait_ns = nextDeadline_ns() - steadyNow_ns();
+    if (wait_ns > 0) {
+      waitAndServe(wait_ns);
+      continue;
+    }
+    catchUpIfStalled(-wait_ns);
+    if (options_.real_time_factor == 0.0) awaitCommand();
+    step();
+  }
+}
+
+void SimulatedRobotNode::waitAndServe(std::int64_t wait_ns) {
+  const double wait_s = 1e-9 * static_cast<double>(std::min(wait_ns, kLongestWait_ns));
+  ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait_s));
+}
+
+// The step that begins at time_ns_ is taken when it ends.
+std::int64_t SimulatedRobotNode::nextDeadline_ns() const {
+  if (paused_ && options_.publish_clock) return steadyNow_ns() + kLongestWait_ns;
+  if (options_.real_time_factor == 0.0) return 0;
+  const double elapsed_ns =
+      static_cast<double>((steps_ + 1) * step_ns_) / options_.real_time_factor;
+  return steady_start_ns_ + static_cast<std::int64_t>(elapsed_ns);
+}
+
+void SimulatedRobotNode::awaitCommand() {
+  waitAndServe(0);
+  const std::int64_t deadline_ns = steadyNow_ns() + kCommandPatience_ns;
+  while (commands_.expects(time_ns_) && steadyNow_ns() < deadline_ns) waitAndServe(kMs);
+  if (commands_.expects(time_ns_)) commands_.giveUp();
+}
+
+void SimulatedRobotNode::catchUpIfStalled(std::int64_t late_ns) {
+  if (options_.real_time_factor == 0.0 || late_ns < kStall_ns) return;
+  sleepUntilSteady(steadyNow_ns() + kReadAfterStall_ns);
+  waitAndServe(0);
+  if (options_.publish_clock) {
+    // Time is ours: it stood still, for everybody, as long as we did.
+    steady_start_ns_ += late_ns;
+    return;
+  }
+  if (late_ns < kLongestCatchUp_ns) return;
+  ROS_WARN_STREAM("The simulated robot stood still for " << 1e-9 * static_cast<double>(late_ns)
+                                                         << " s; its process was stopped.");
+  const std::int64_t steps = late_ns / step_ns_;
+  steps_ += steps;
+  time_ns_ += steps * step_ns_;
+}
+
+void SimulatedRobotNode::step() {
+  const std::vector<double>* targets = commands_.due(time_ns_);
+  if (targets != nullptr) world_->setTargets(*targets);
+  if (!paused_) noteVerdict(world_->step());
+  ++steps_;
+  time_ns_ += step_ns_;
+  publisher_.publish(*world_, timeFromNs(time_ns_));
+}
+
+void SimulatedRobotNode::noteVerdict(Verdict verdict) {
+  if (verdict == verdict_) return;
+  verdict_ = verdict;
+  if (verdict == Verdict::kWalked) return;
+  ++falls_;
+  ROS_WARN_STREAM("The simulated robot "
+                  << toString(verdict)
+                  << (verdict == Verdict::kDiverged ? "; call ~reset to put it back on its feet."
+                                                    : "; it goes on."));
+}
+
+bool SimulatedRobotNode::onReset(std_srvs::Trigger::Request&,
+                                 std_srvs::Trigger::Response& response) {
+  world_->restart();
+  commands_.clear();
+  publisher_.forgetMotion();
+  verdict_ = Verdict::kWalked;
+  std_msgs::Header header;
+  header.stamp = timeFromNs(time_ns_);
+  header.frame_id = names::kOdomFrame;
+  reset_publisher_.publish(header);
+  response.success = true;
+  response.message = "The robot stands at the origin; its time goes on.";
+  return true;
+}
+
+bool SimulatedRobotNode::onPause(std_srvs::SetBool::Request& request,
+                                 std_srvs::SetBool::Response& response) {
+  if (paused_ && !request.data && options_.publish_clock && options_.real_time_factor > 0.0) {
+    // Simulated time stood still: the next step is due one step from now.
+    steady_start_ns_ = steadyNow_ns();
+    steps_ = 0;
+  }
+  paused_ = request.data;
+  response.success = true;
+  response.message = paused_ ? "The robot stands still." : "The robot moves.";
+  return true;
+}
+
+void SimulatedRobotNode::report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  const bool fine = verdict_ == Verdict::kWalked;
+  diagnostics.summary(
+      fine ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN,
+      fine ? (paused_ ? "paused" : "running") : toString(verdict_));
+  const RobotCommands::Counts& counts = commands_.counts();
+  diagnostics.add("Commands received", counts.received);
+  diagnostics.add("Commands ignored", counts.refused);
+  diagnostics.add("Last ignored because", commands_.problem());
+  diagnostics.add("Commands late", counts.late);
+  diagnostics.add("Commands of another clock", counts.foreign);
+  diagnostics.add("Commands out of order", counts.dropped);
+  diagnostics.add("Falls and other failures", falls_);
+}
+
+}  // namespace hexapod

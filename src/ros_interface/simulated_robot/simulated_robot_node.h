@@ -1,0 +1,63 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/node_handle.h>
+#include <std_srvs/SetBool.h>
+#include <std_srvs/Trigger.h>
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+
+#include "robot/robot_description.h"
+#include "ros_interface/simulated_robot/robot_commands.h"
+#include "ros_interface/simulated_robot/robot_publisher.h"
+#include "ros_interface/simulated_robot/simulated_robot_options.h"
+#include "simulation/world.h"
+
+namespace hexapod {
+
+/// A World that runs in real time, or as fast as asked, behind the topics of a robot.
+///
+/// Its time is start + n * step in integer nanoseconds, on the axis of ROS wall time; it never goes
+/// back, not on reset either. Every step is taken, also when the process was stalled: it then
+/// catches up. As fast as it can (factor 0) still waits for each command of a live stream, so that
+/// none comes late. Everything happens in the thread of run().
+class SimulatedRobotNode {
+ public:
+  /// Throws std::invalid_argument when options do not fit.
+  SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                     const SimulatedRobotOptions& options, const RobotDescription& robot);
+
+  /// Serves callbacks and steps until `leave` is set or ROS shuts down.
+  void run(const std::atomic<bool>& leave);
+
+ private:
+  void waitAndServe(std::int64_t wait_ns);
+  std::int64_t nextDeadline_ns() const;
+  void awaitCommand();
+  void catchUpIfStalled(std::int64_t late_ns);
+  void step();
+  void noteVerdict(Verdict verdict);
+  bool onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
+  void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
+
+  SimulatedRobotOptions options_;
+  std::unique_ptr<World> world_;
+  std::int64_t step_ns_;
+  std::int64_t time_ns_;          // of the world's state
+  std::int64_t steady_start_ns_;  // when time_ns_ of step 0 was due
+  std::int64_t steps_ = 0;        // since steady_start_ns_
+  bool paused_ = false;
+  Verdict verdict_ = Verdict::kWalked;
+  std::uint64_t falls_ = 0;
+  RobotCommands commands_;
+  RobotPublisher publisher_;
+  ros::Publisher reset_publisher_;
+  ros::ServiceServer reset_service_;
+  ros::ServiceServer pause_service_;
+  diagnostic_updater::Updater updater_;
+};
+
+}  // namespace hexapod

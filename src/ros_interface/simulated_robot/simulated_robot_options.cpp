@@ -1,0 +1,49 @@
+#include "ros_interface/simulated_robot/simulated_robot_options.h"
+
+#include <stdexcept>
+
+namespace hexapod {
+
+std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
+  Physics& physics = options.physics;
+  return {
+      option("robot_config", options.robot_config,
+             "Path of the robot's YAML (legs, gait, servo, contact); its URDF is the parameter "
+             "robot_description."),
+      option("engine", options.engine, "Simulation engine, as in learning.", engineNames()),
+      option("real_time_factor", options.real_time_factor, "",
+             "Speed of simulated time; other than 1 only with publish_clock. 0: as fast as it can.",
+             0.0, 100.0),
+      option("publish_clock", options.publish_clock,
+             "Publish the simulated time on /clock; set /use_sim_time with it."),
+      option("command_latency_s", options.command_latency_s, "s",
+             "A command acts this long after its stamp, which hides the jitter of its way.", 0.0,
+             1.0),
+      option("step_s", physics.step_s, "s", "Step of the integrator.", 1e-4, 0.1),
+      option("gravity_m_per_s2", physics.gravity_m_per_s2, "m/s^2", "Gravity.", 0.0, 100.0),
+      option("friction_scale", physics.friction_scale, "", "Times the description's friction.", 0.0,
+             100.0),
+      option("mass_scale", physics.mass_scale, "", "Times every mass and inertia.", 0.01, 100.0),
+      option("servo_gain_scale", physics.servo_gain_scale, "", "Times the servos' gain.", 0.0,
+             100.0),
+      option("torque_scale", physics.torque_scale, "", "Times every joint's torque.", 0.0, 100.0),
+      option("slope_x_rad", physics.slope_x_rad, "rad", "The floor rises toward +x.", -1.0, 1.0),
+      option("slope_y_rad", physics.slope_y_rad, "rad", "The floor rises toward +y.", -1.0, 1.0),
+  };
+}
+
+void checkTime(const SimulatedRobotOptions& options, bool use_sim_time) {
+  if (options.real_time_factor != 1.0 && !options.publish_clock) {
+    throw std::invalid_argument(
+        "~real_time_factor other than 1 needs ~publish_clock and /use_sim_time, so that all nodes "
+        "follow the simulated time.");
+  }
+  if (options.publish_clock == use_sim_time) return;
+  throw std::invalid_argument(
+      options.publish_clock
+          ? "~publish_clock is true but /use_sim_time is not; set both, so that all nodes follow "
+            "the simulated time."
+          : "/use_sim_time is true but ~publish_clock is not; set both, or neither.");
+}
+
+}  // namespace hexapod

@@ -1,0 +1,70 @@
+#pragma once
+
+#include "simulation/reduced/step.h"
+#include "simulation/reduced/stepper.h"
+
+namespace hexapod::reduced {
+
+/// Stepper of kLanesIn<Real> robots with `kSegments` joints per leg.
+///
+/// Included by source files that are compiled for one kind of processor each: it uses nothing but
+/// templates over Real, which no other such file instantiates, so that no instruction of one
+/// processor can end up in a function of another.
+template <typename Real, int kSegments>
+class LaneStepper final : public Stepper {
+ public:
+  explicit LaneStepper(const ReducedModel& model) : model_(model), state_() {
+    work_.clearance.forget();
+    // A robot far from everything, so that unused lanes compute something finite.
+    state_.base.rotation.w = splat<Real>(1.0);
+    for (auto& leg : state_.segment) {
+      for (BodyState<Real>& body : leg) body.rotation.w = splat<Real>(1.0);
+    }
+  }
+
+  int lanes() const override { return kLanesIn<Real>; }
+
+  void load(int lane, const double* values) override {
+    forEachValue(model_, state_, [&](Real& value) { setLane(value, lane, *values++); });
+    work_.clearance.forget(lane);
+  }
+
+  void store(int lane_index, double* values) const override {
+    forEachValue(model_, state_, [&](const Real& value) { *values++ = lane(value, lane_index); });
+  }
+
+  void setTargets(int lane, const double* targets_rad) override {
+    for (int leg = 0; leg < model_.legs; ++leg) {
+      for (int s = 0; s < kSegments; ++s) setLane(state_.target[leg][s], lane, *targets_rad++);
+    }
+  }
+
+  void advance(double step_s) override {
+    findings_ = reduced::advance(model_, step_s, work_, state_);
+  }
+
+  LaneFindings findings(int lane) const override {
+    return {inLane<Real>(findings_.fell, lane), inLane<Real>(findings_.collided, lane),
+            inLane<Real>(findings_.diverged, lane)};
+  }
+
+ private:
+  const ReducedModel& model_;
+  State<Real> state_;
+  StepWorkspace<Real, kSegments> work_;
+  StepFindings<Real> findings_;
+};
+
+template <typename Real>
+inline Stepper* makeStepper(const ReducedModel& model) {
+  switch (model.segments) {
+    case 2:
+      return new LaneStepper<Real, 2>(model);
+    case 3:
+      return new LaneStepper<Real, 3>(model);
+    default:
+      return new LaneStepper<Real, 4>(model);
+  }
+}
+
+}  // namespace hexapod::reduced

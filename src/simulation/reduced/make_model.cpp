@@ -1,0 +1,231 @@
+#include "simulation/reduced/make_model.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+#include "simulation/kinematics.h"
+#include "simulation/physics.h"
+
+namespace hexapod::reduced {
+namespace {
+
+constexpr double kMinCompliance = 1e-6;  // of contacts: they are springs to this engine
+constexpr double kMaxJointCfm = 1e-7;    // of hinges and motors: they are rigid to it
+
+Vec3<double> vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+// Drops an axis on which the inertia is the round part already.
+BodyModel::AxisTerm axisTerm(double moment, double round, const Eigen::Vector3d& axis) {
+  const double scale = moment - round;
+  return {std::abs(scale) > 1e-12 * round ? scale : 0.0, vec3(axis)};
+}
+
+BodyModel makeBody(const Body& body) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> principal(body.inertia_kg_m2);
+  const Eigen::Vector3d& moment = principal.eigenvalues();  // ascending
+  // Of the two equal moments of a body of revolution one is taken as the round part.
+  const bool upper_pair = moment(2) - moment(1) < moment(1) - moment(0);
+  const int round = upper_pair ? 2 : 0;
+  const int far = 2 - round;
+  BodyModel made;
+  made.mass = body.mass_kg;
+  made.round_inertia = moment(round);
+  made.first = axisTerm(moment(far), moment(round), principal.eigenvectors().col(far));
+  made.second = axisTerm(moment(1), moment(round), principal.eigenvectors().col(1));
+  return made;
+}
+
+JointModel makeJoint(const Joint& joint, const Body& parent, const Body& child) {
+  const Eigen::Matrix3d parent_from_child = joint.parent_from_joint.linear();
+  const Eigen::Quaterniond turn(Eigen::Matrix3d(parent_from_child.transpose()));
+  JointModel made;
+  made.parent_anchor = vec3(joint.parent_from_joint.translation() - parent.center_of_mass_m);
+  made.child_anchor = vec3(-child.center_of_mass_m);
+  made.parent_axis = vec3(parent_from_child * joint.axis);
+  made.child_axis = vec3(joint.axis);
+  made.child_from_parent = {turn.w(), turn.x(), turn.y(), turn.z()};
+  made.lower = joint.lower_rad;
+  made.upper = joint.upper_rad;
+  made.max_torque = joint.max_torque_nm;
+  made.max_velocity = joint.max_velocity_rad_per_s;
+  return made;
+}
+
+// Where on the floor this shape can rest: the points, and the radius around them.
+std::vector<Eigen::Vector3d> floorPoints(const Shape& shape) {
+  std::vector<Eigen::Vector3d> points;
+  if (shape.kind == Shape::Kind::kBox) {
+    for (int corner = 0; corner < 8; ++corner) {
+      points.push_back(0.5 * shape.size_m.cwiseProduct(Eigen::Vector3d(
+                                 corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
+    }
+  } else if (shape.kind == Shape::Kind::kCapsule) {
+    points = {0.5 * shape.length_m * Eigen::Vector3d::UnitZ(),
+              -0.5 * shape.length_m * Eigen::Vector3d::UnitZ()};
+  } else {
+    points = {Eigen::Vector3d::Zero()};
+  }
+  return points;
+}
+
+std::vector<FloorSphere> floorSpheres(const Body& body, int leg, int segment) {
+  std::vector<FloorSphere> spheres;
+  for (const Shape& shape : body.shapes) {
+    const double radius = shape.kind == Shape::Kind::kBox ? 0.0 : shape.radius_m;
+    for (const Eigen::Vector3d& point : floorPoints(shape)) {
+      const Eigen::Vector3d center = shape.body_from_shape * point - body.center_of_mass_m;
+      spheres.push_back({leg, segment, vec3(center), radius});
+    }
+  }
+  return spheres;
+}
+
+void addSpheres(const std::vector<FloorSphere>& spheres, ReducedModel& model) {
+  for (const FloorSphere& sphere : spheres) model.floor[model.spheres++] = sphere;
+}
+
+void addCapsules(const Body& body, int leg, int segment, ReducedModel& model) {
+  for (const Shape& shape : body.shapes) {
+    LegCapsule made;
+    made.leg = leg;
+    made.segment = segment;
+    made.center = vec3(shape.body_from_shape.translation() - body.center_of_mass_m);
+    made.axis = vec3(shape.body_from_shape.linear().col(2));
+    made.half_length = shape.kind == Shape::Kind::kCapsule ? 0.5 * shape.length_m : 0.0;
+    made.radius = shape.radius_m;
+    model.capsule[model.capsules++] = made;
+  }
+}
+
+// From the tip inwards: the farthest a point of a segment or beyond can be from its hinge.
+void addReach(const Leg& leg, int index, ReducedModel& model) {
+  double beyond = 0.0;
+  for (int s = model.segments - 1; s >= 0; --s) {
+    double reach = 0.0;
+    for (const Shape& shape : leg.segments[s].body.shapes) {
+      reach = std::max(reach, shape.body_from_shape.translation().norm() + 0.5 * shape.length_m +
+                                  shape.radius_m);
+    }
+    model.joints[index][s].reach = std::max(reach, beyond);
+    beyond =
+        model.joints[index][s].reach + leg.segments[s].joint.parent_from_joint.translation().norm();
+  }
+}
+
+void addContact(const RobotDescription& robot, ReducedModel& model) {
+  model.servo_gain = robot.servo.gain_per_s;
+  model.servo_dead_zone = robot.servo.dead_zone_rad_per_s;
+  model.friction = robot.contact.friction;
+  model.slip = robot.contact.slip_per_n_s;
+  model.soft_erp = robot.contact.soft_erp;
+  model.soft_cfm = robot.contact.soft_cfm;
+  model.max_correcting_velocity = robot.contact.max_correcting_velocity_m_per_s;
+  model.joint_erp = robot.contact.joint_erp;
+  model.max_base_height = robot.failure.max_base_height_m;
+}
+
+std::string legProblem(const RobotDescription& robot) {
+  if (robot.legs.empty() || robot.legs.size() > kMaxLegs) {
+    return "the number of legs must be 1 to " + std::to_string(kMaxLegs) + ", found " +
+           std::to_string(robot.legs.size());
+  }
+  const std::size_t segments = robot.legs.front().segments.size();
+  for (const Leg& leg : robot.legs) {
+    const std::size_t found = leg.segments.size();
+    if (found != segments || found < kMinSegments || found > kMaxSegments) {
+      return "all legs must have the same number of joints, " + std::to_string(kMinSegments) +
+             " to " + std::to_string(kMaxSegments) + ", but leg '" + leg.name + "' has " +
+             std::to_string(found);
+    }
+    for (const Segment& segment : leg.segments) {
+      if (segment.joint.lower_rad < segment.joint.upper_rad) continue;
+      return "joint '" + segment.joint.name + "' must have room between its limits";
+    }
+  }
+  return "";
+}
+
+std::string shapeProblem(const RobotDescription& robot) {
+  std::size_t spheres = floorSpheres(robot.base, -1, 0).size();
+  std::size_t capsules = 0;
+  for (const Leg& leg : robot.legs) {
+    for (const Segment& segment : leg.segments) {
+      for (const Shape& shape : segment.body.shapes) {
+        if (shape.kind != Shape::Kind::kBox) continue;
+        return "shapes of legs must be capsules (URDF cylinders) or spheres, but link '" +
+               segment.body.name + "' has a box";
+      }
+      spheres += floorSpheres(segment.body, 0, 0).size();
+      capsules += segment.body.shapes.size();
+    }
+  }
+  if (spheres <= kMaxSpheres && capsules <= kMaxCapsules) return "";
+  return "there are too many collision shapes (at most " + std::to_string(kMaxCapsules) +
+         " on the legs and " + std::to_string(kMaxSpheres) + " corners and caps in all)";
+}
+
+std::string contactProblem(const Contact& contact) {
+  if (contact.soft_cfm < kMinCompliance || contact.slip_per_n_s < kMinCompliance) {
+    return "contact must be compliant: soft_cfm and slip_per_n_s at least 1e-6";
+  }
+  if (contact.joint_cfm > kMaxJointCfm) return "joint_cfm must be at most 1e-7";
+  return "";
+}
+
+}  // namespace
+
+std::string whyNotCovered(const RobotDescription& robot) {
+  std::string reason = legProblem(robot);
+  if (reason.empty()) reason = shapeProblem(robot);
+  if (reason.empty()) reason = contactProblem(robot.contact);
+  if (reason.empty()) return "";
+  return "The reduced engine does not cover robot '" + robot.name + "': " + reason +
+         "; use engine ode.";
+}
+
+ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
+  const std::string reason = whyNotCovered(robot);
+  if (!reason.empty()) throw std::invalid_argument(reason);
+  checkPhysics(physics);
+  const RobotDescription scaled = underPhysics(robot, physics);
+  ReducedModel model;
+  model.legs = static_cast<int>(scaled.legs.size());
+  model.segments = static_cast<int>(scaled.legs.front().segments.size());
+  model.base = makeBody(scaled.base);
+  model.base_origin = vec3(-scaled.base.center_of_mass_m);
+  model.gravity = vec3(gravityOnFloor(physics));
+  model.absurd_speed = kAbsurdSpeed_m_per_s;
+  model.absurd_rate = kAbsurdRate_rad_per_s;
+  addContact(scaled, model);
+  addSpheres(floorSpheres(scaled.base, -1, 0), model);
+  for (int leg = 0; leg < model.legs; ++leg) {
+    const Body* parent = &scaled.base;
+    for (int s = 0; s < model.segments; ++s) {
+      const Segment& segment = scaled.legs[leg].segments[s];
+      model.bodies[leg][s] = makeBody(segment.body);
+      model.joints[leg][s] = makeJoint(segment.joint, *parent, segment.body);
+      addSpheres(floorSpheres(segment.body, leg, s), model);
+      addCapsules(segment.body, leg, s, model);
+      parent = &segment.body;
+    }
+    addReach(scaled.legs[leg], leg, model);
+    model.first_capsule[leg + 1] = model.capsules;
+  }
+  return model;
+}
+
+Eigen::Isometry3d worldFromBase(const ReducedModel& model, const double* v) {
+  const Rotation<double> axes = rotationOf(Quaternion<double>{v[3], v[4], v[5], v[6]});
+  const Vec3<double> origin = axes * model.base_origin;
+  Eigen::Isometry3d world_from_base = Eigen::Isometry3d::Identity();
+  world_from_base.linear() << axes.x.x, axes.y.x, axes.z.x,  //
+      axes.x.y, axes.y.y, axes.z.y,                          //
+      axes.x.z, axes.y.z, axes.z.z;
+  world_from_base.translation() << v[0] + origin.x, v[1] + origin.y, v[2] + origin.z;
+  return world_from_base;
+}
+
+}  // namespace hexapod::reduced

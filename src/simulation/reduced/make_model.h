@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "robot/robot_description.h"
+#include "simulation/reduced/model.h"
+#include "simulation/world.h"
+
+namespace hexapod::reduced {
+
+/// Empty when the engine covers this description; otherwise the sentence that says why not.
+std::string whyNotCovered(const RobotDescription& robot);
+
+/// Throws std::invalid_argument with that sentence, or when a value of `physics` is out of range.
+ReducedModel makeModel(const RobotDescription& robot, const Physics& physics);
+
+/// Pose of the base's link from the first values of a state.
+Eigen::Isometry3d worldFromBase(const ReducedModel& model, const double* state_values);
+
+}  // namespace hexapod::reduced

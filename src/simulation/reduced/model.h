@@ -1,0 +1,81 @@
+#pragma once
+
+#include "simulation/reduced/algebra.h"
+
+namespace hexapod::reduced {
+
+/// Largest robot the engine takes.
+constexpr int kMaxLegs = 8;
+constexpr int kMinSegments = 2;
+constexpr int kMaxSegments = 4;
+constexpr int kMaxSpheres = 64;   ///< that can touch the floor
+constexpr int kMaxCapsules = 32;  ///< that can touch one another
+
+/// A rigid body. Its frame has its origin at the centre of mass and the axes of the link, as the
+/// body in ODE. Inertia = round * 1 + first.scale * axis axis^T + second.scale * axis axis^T.
+struct BodyModel {
+  struct AxisTerm {
+    double scale = 0.0;  ///< [kg m^2]; 0: no such term
+    Vec3<double> axis{};
+  };
+  double mass = 0.0;           ///< [kg]
+  double round_inertia = 0.0;  ///< [kg m^2]
+  AxisTerm first, second;
+};
+
+/// The hinge between a segment (child) and the body it hangs on (parent), with its servo.
+struct JointModel {
+  Vec3<double> parent_anchor{}, child_anchor{};  ///< [m] from the centres of mass, in body axes
+  Vec3<double> parent_axis{}, child_axis{};      ///< unit
+  Quaternion<double> child_from_parent{};        ///< at angle 0
+  double lower = 0.0, upper = 0.0;               ///< stops [rad]
+  double max_torque = 0.0;                       ///< [N m]
+  double max_velocity = 0.0;                     ///< [rad/s]
+  double reach = 0.0;  ///< [m] of the farthest point from here outwards, whatever the angles
+};
+
+/// A sphere of a body that can touch the floor: a cap of a capsule, a sphere, a corner of a box.
+struct FloorSphere {
+  int leg = -1;  ///< -1: of the base
+  int segment = 0;
+  Vec3<double> center{};  ///< [m] in the body's frame
+  double radius = 0.0;    ///< [m], 0 for a corner
+};
+
+/// A capsule (length 0: a sphere) of a leg, for the test of legs against each other.
+struct LegCapsule {
+  int leg = 0;
+  int segment = 0;
+  Vec3<double> center{}, axis{};           ///< [m], unit; in the body's frame
+  double half_length = 0.0, radius = 0.0;  ///< [m]
+};
+
+/// Everything about one robot under one physics that does not change: plain numbers, shared by all
+/// threads. Symbols in brackets are those of doc/reduced_dynamics.md.
+struct ReducedModel {
+  int legs = 0;
+  int segments = 0;  ///< per leg
+  BodyModel base;
+  BodyModel bodies[kMaxLegs][kMaxSegments];
+  JointModel joints[kMaxLegs][kMaxSegments];
+  int spheres = 0;
+  FloorSphere floor[kMaxSpheres];
+  int capsules = 0;
+  LegCapsule capsule[kMaxCapsules];  ///< leg by leg
+  int first_capsule[kMaxLegs + 1] = {};
+
+  Vec3<double> gravity{};        ///< [m/s^2] in the frame of the floor
+  double servo_gain = 0.0;       ///< [1/s]
+  double servo_dead_zone = 0.0;  ///< [rad/s]
+  double friction = 0.0;         ///< [mu]
+  double slip = 0.0;             ///< [m/(N s)]
+  double soft_erp = 0.0, soft_cfm = 0.0;
+  double max_correcting_velocity = 0.0;  ///< [m/s]
+  double joint_erp = 0.0;
+  Vec3<double> base_origin{};    ///< of the link, from the centre of mass [m]
+  double max_base_height = 0.0;  ///< [m]
+  double absurd_speed = 0.0;     ///< [m/s]: beyond is diverged
+  double absurd_rate = 0.0;      ///< [rad/s]
+};
+
+}  // namespace hexapod::reduced

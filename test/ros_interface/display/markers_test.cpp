@@ -1,0 +1,62 @@
+#include "ros_interface/display/markers.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace hexapod {
+namespace {
+
+using visualization_msgs::Marker;
+
+// rviz reports lists without points, and lines of one, as errors.
+void expectDrawable(const visualization_msgs::MarkerArray& array) {
+  for (const Marker& marker : array.markers) {
+    if (marker.action == Marker::DELETE || marker.type == Marker::ARROW) continue;
+    EXPECT_GE(marker.points.size(), marker.type == Marker::LINE_STRIP ? 2u : 1u) << marker.ns;
+    EXPECT_TRUE(marker.colors.empty() || marker.colors.size() == marker.points.size());
+    EXPECT_NEAR(marker.pose.orientation.w, 1.0, 1e-12);
+    EXPECT_GT(marker.scale.x, 0.0);
+  }
+}
+
+TEST(RepertoireMarkers, AreThreeListsWhateverTheNumberOfEntries) {
+  Repertoire repertoire;
+  for (const std::size_t count : {0u, 1u, 500u}) {
+    repertoire.entries.assign(count, Entry());
+    const auto array = repertoireMarkers(repertoire);
+    ASSERT_EQ(array.markers.size(), 3u);
+    expectDrawable(array);
+    EXPECT_EQ(array.markers[0].points.size(), count);
+  }
+}
+
+TEST(RepertoireMarkers, ShowWhatFellInGrey) {
+  Repertoire repertoire;
+  repertoire.entries.assign(2, Entry());
+  repertoire.entries[1].execution = Execution{{0.1, 0.0, 0.0}, 0.0, 0.0, 8, 3};
+  const auto points = repertoireMarkers(repertoire).markers[0];
+  EXPECT_GT(points.colors[0].g, points.colors[0].r);
+  EXPECT_EQ(points.colors[1].r, points.colors[1].g);
+  EXPECT_EQ(points.colors[1].g, points.colors[1].b);
+}
+
+TEST(ErrorColor, GoesFromGreenToRed) {
+  EXPECT_GT(errorColor(0.0).g, errorColor(0.0).r);
+  EXPECT_GT(errorColor(M_PI).r, errorColor(M_PI).g);
+}
+
+TEST(PlanMarkers, AreDrawableBeforeDuringAndAfterAWalk) {
+  PlanPicture picture;
+  picture.frame = "odom";
+  expectDrawable(planMarkers(picture));
+  picture.path = {{0, 0, 0}};
+  expectDrawable(planMarkers(picture));
+  picture.path.push_back({0.1, 0, 0});
+  picture.stops = {{0.1, 0, 0}};
+  picture.walked = {{0, 0, 0}};
+  expectDrawable(planMarkers(picture));
+}
+
+}  // namespace
+}  // namespace hexapod
