@@ -55,7 +55,7 @@ def test_help_names_every_verb(arguments):
     result = run(ROOT, *arguments)
     assert result.returncode == 0
     for verb in ("demo", "learn", "evolve", "walk", "view", "reproduce", "test", "bench",
-                 "setup", "help"):
+                 "campaign", "setup", "help"):
         assert f"\n  {verb} " in result.stdout
 
 
@@ -206,3 +206,41 @@ def test_reproduce_reports_on_what_is_left_of_a_study_but_not_on_a_mistake(
                  STUDY_ENDS=code)
     assert str(result.returncode) == code
     assert ("report:" in result.stdout) == reported
+
+
+@pytest.fixture(name="campaign_checkout")
+def fixture_campaign_checkout(checkout):
+    """A checkout with one campaign, which ends as its last argument says."""
+    campaigns = checkout / "test" / "campaigns"
+    campaigns.mkdir(parents=True)
+    (checkout / "build" / "devel" / "setup.bash").write_text("")
+    (campaigns / "storm.py").write_text(
+        '"""Blows at everything."""\nimport sys\nprint("blew", *sys.argv[1:])\n'
+        'print("on the way", file=sys.stderr)\nsys.exit(int(sys.argv[-1]))\n')
+    (campaigns / "rain.cpp").write_text("// Drops on everything.\nint main() {}\n")
+    (campaigns / "campaigns_test.py").touch()
+    return checkout
+
+
+def test_campaigns_are_listed_with_what_they_do(campaign_checkout):
+    result = run(campaign_checkout, "campaign")
+    assert [line.split(maxsplit=1) for line in result.stdout.splitlines()] == [
+        ["storm", "Blows at everything."], ["rain", "Drops on everything."]]
+
+
+def test_an_unknown_campaign_is_refused_with_those_there_are(campaign_checkout):
+    result = run(campaign_checkout, "campaign", "snow")
+    assert result.returncode == 2
+    assert "'snow'" in result.stderr and "storm" in result.stderr
+
+
+def test_the_report_of_a_campaign_that_succeeds_is_kept_where_asked(campaign_checkout):
+    kept = campaign_checkout / "results" / "campaigns" / "storm.md"
+    functions = EVERYTHING_INSTALLED + NO_BUILD
+    assert run(campaign_checkout, "campaign", "storm", "0", functions=functions).returncode == 0
+    assert not kept.exists()
+    failed = run(campaign_checkout, "campaign", "storm", "--write", "3", functions=functions)
+    assert failed.returncode == 1 and not kept.exists()
+    run(campaign_checkout, "campaign", "storm", "--write", "0", functions=functions)
+    report = kept.read_text()
+    assert "`./run campaign storm 0`" in report and report.endswith("blew 0\n")
