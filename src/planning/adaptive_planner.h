@@ -15,6 +15,9 @@ class AdaptivePlanner {
  public:
   AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options);
 
+  /// For a newer state of the same repertoire: begins with what `earlier` has learned.
+  AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier);
+
   const Repertoire& repertoire() const { return repertoire_; }
 
   /// The planner as of the last observation; it stays as it is for whoever holds it.
@@ -25,11 +28,14 @@ class AdaptivePlanner {
   void observe(std::size_t entry, const Pose2& world_from_before, const Pose2& world_from_after);
 
  private:
+  AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier,
+                  const std::lock_guard<std::mutex>& lock_of_earlier);
+
   const Repertoire repertoire_;
   const PlannerOptions options_;
-  DeviationEstimator estimator_;
-  Deviation deviation_;
   mutable std::mutex mutex_;
+  DeviationEstimator estimator_;            // guarded by mutex_
+  Deviation deviation_;                     // guarded by mutex_
   std::shared_ptr<const Planner> planner_;  // guarded by mutex_
 };
 

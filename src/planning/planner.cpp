@@ -1,5 +1,6 @@
 #include "planning/planner.h"
 
+#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -150,6 +151,12 @@ PlanResult Planner::plan(const PlanRequest& request) const {
     result.message = describe(result, request, options_);
   }
   return result;
+}
+
+double Planner::reach_m() const {
+  double reach_m = 0.0;
+  for (const Move& move : tables_.moves) reach_m = std::max(reach_m, move.length_m);
+  return reach_m;
 }
 
 void Planner::search(const PlanRequest& request, PlanResult& result) const {

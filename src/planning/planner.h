@@ -88,6 +88,9 @@ class Planner {
   /// Entries that take part in planning.
   std::size_t usableEntries() const { return tables_.moves.size(); }
 
+  /// How far the farthest of them leads [m]; 0 when there is none.
+  double reach_m() const;
+
  private:
   void search(const PlanRequest& request, PlanResult& result) const;
 

@@ -11,8 +11,6 @@ namespace {
 constexpr double kMetresPerRadian = 0.3;
 // Smaller deviations are the ordinary spread of a behaviour, whatever share of its length they are.
 constexpr double kOrdinaryDeviation_m = 0.06;
-// No entry of a legged robot leads farther in one behaviour; a measured jump beyond it is no walk.
-constexpr double kLargestJump_m = 2.0;
 
 // Size of a displacement [m], a radian counted as kMetresPerRadian.
 double extent(const Pose2& a, const Pose2& b) {
@@ -40,7 +38,7 @@ std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, Walk
   if (!expected_) return std::nullopt;
   const double moved = distance(before_, world_from_robot);
   const double deviation = extent(expected_->world_from_end, world_from_robot);
-  if (moved > kLargestJump_m) {
+  if (moved > options_.jump_reaches * planner_->planner()->reach_m()) {
     state = WalkState::kPoseLost;
     return "The measured pose jumped from " + poseText(before_) + " to " +
            poseText(world_from_robot) +

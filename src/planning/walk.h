@@ -15,7 +15,7 @@ enum class WalkState {
   kArrived,  ///< within tolerance
   kNoPlan,   ///< Decision::plan tells why
   kStuck,    ///< the behaviours do not move the robot as predicted
-  kPoseLost  ///< the measured pose jumped farther than any behaviour leads
+  kPoseLost  ///< the measured pose jumped farther than any behaviour of the repertoire leads
 };
 
 /// When a walk is given up.
@@ -25,6 +25,9 @@ struct WalkOptions {
   double failed_share = 0.7;
   std::int64_t max_failed_steps = 4;  ///< in a row: stuck
   std::int64_t max_steps_factor = 4;  ///< steps beyond this many times the first plan + 10: stuck
+  /// Moved this many times as far as the farthest entry leads, the robot did not walk: its pose
+  /// jumped.
+  double jump_reaches = 2.5;
 };
 
 /// One walk to a goal, behaviour by behaviour, planned anew from the measured pose before each one.
@@ -46,6 +49,10 @@ class Walk {
 
   /// The next behaviour, or the end. `stop` may end the planning early (PlanRequest::stop).
   Decision decide(const Pose2& world_from_robot, const std::function<bool()>& stop = {});
+
+  /// The behaviour of the last decision was not played as it is: where it led says nothing of the
+  /// repertoire, so the next decide() neither learns from it nor counts it as failed.
+  void disregardLastStep() { expected_.reset(); }
 
   std::int64_t stepsTaken() const { return steps_taken_; }
 

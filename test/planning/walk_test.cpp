@@ -88,6 +88,61 @@ TEST_F(WalkTest, LosesThePoseWhenItJumpsFartherThanABehaviourLeads) {
   EXPECT_EQ(decision.state, WalkState::kPoseLost);
 }
 
+// The repertoire of a robot `scale` times as large.
+Repertoire scaled(double scale) {
+  Repertoire repertoire = arcRepertoire(300, 1);
+  for (Entry& entry : repertoire.entries) {
+    for (Pose2* pose : {&entry.end_pose, &entry.execution->mean}) {
+      pose->x_m *= scale;
+      pose->y_m *= scale;
+    }
+  }
+  return repertoire;
+}
+
+TEST_F(WalkTest, JudgesAJumpByTheReachOfTheRepertoire) {
+  // 0.7 m along an arc is the reach of the ordinary one; no step of any of them is a jump.
+  const auto walks = [](const Pose2& before, const Pose2& step) { return before * step; };
+  const auto jumps = [](const Pose2&, const Pose2&) { return Pose2{0.0, 0.5, 0.0}; };
+  planner_ = std::make_shared<AdaptivePlanner>(scaled(5.0), PlannerOptions());
+  EXPECT_EQ(walkWith(walks, {12.0, 4.0, 1.0}).state, WalkState::kArrived);
+  planner_ = std::make_shared<AdaptivePlanner>(scaled(0.1), PlannerOptions());
+  EXPECT_EQ(walkWith(jumps, {0.4, 0.0, 0.0}).state, WalkState::kPoseLost);
+}
+
+TEST_F(WalkTest, LearnsNothingFromAStepItIsToldToDisregard) {
+  Walk walk(planner_, kGoal, GoalTolerance());
+  const auto before = planner_->planner();
+  Pose2 pose;
+  for (int i = 0; i < 20; ++i) {
+    const auto decision = walk.decide(pose);
+    ASSERT_EQ(decision.state, WalkState::kStep) << decision.message;
+    pose = pose * Pose2{0.0, 0.0, 0.3};
+    walk.disregardLastStep();
+  }
+  EXPECT_EQ(planner_->planner(), before);
+}
+
+TEST_F(WalkTest, KeepsWhatWasLearnedWhenTheRepertoireGrows) {
+  const auto turns_too_much = [](const Pose2& before, const Pose2& step) {
+    return before * Pose2{1.3 * step.x_m, 1.3 * step.y_m, step.yaw_rad + 0.17};
+  };
+  walkWith(turns_too_much, {2.0, 1.0, -2.0});
+  const PlanRequest request{Pose2(), kGoal, GoalTolerance(), {}, {}};
+  const PlanResult learned = planner_->planner()->plan(request);
+  const AdaptivePlanner grown(planner_->repertoire(), *planner_);
+  const PlanResult after = grown.planner()->plan(request);
+  ASSERT_TRUE(learned.success()) << learned.message;
+  ASSERT_EQ(after.steps.size(), learned.steps.size());
+  for (std::size_t i = 0; i < after.steps.size(); ++i) {
+    EXPECT_EQ(after.steps[i].id, learned.steps[i].id);
+    EXPECT_EQ(after.steps[i].world_from_end.x_m, learned.steps[i].world_from_end.x_m);
+  }
+  const AdaptivePlanner forgetful(planner_->repertoire(), PlannerOptions());
+  EXPECT_NE(forgetful.planner()->plan(request).steps.front().world_from_end.x_m,
+            after.steps.front().world_from_end.x_m);
+}
+
 TEST_F(WalkTest, TellsWhyThereIsNoPlan) {
   const auto invalid = walkWith(nullptr, {std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0});
   EXPECT_EQ(invalid.state, WalkState::kNoPlan);
