@@ -25,12 +25,12 @@ EngineChoice chooseEngine(const std::string& name, const RobotDescription& robot
 }
 
 std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
-                                 const Physics& physics) {
+                                 const Physics& physics, const WorldState* settled) {
   switch (engine) {
     case Engine::kOde:
-      return std::make_unique<OdeWorld>(robot, physics);
+      return std::make_unique<OdeWorld>(robot, physics, settled);
     case Engine::kReduced:
-      return std::make_unique<ReducedWorld>(robot, physics);
+      return std::make_unique<ReducedWorld>(robot, physics, settled);
   }
   throw std::invalid_argument("Unknown simulation engine.");
 }

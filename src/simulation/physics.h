@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
+#include <vector>
 
 #include "robot/robot_description.h"
 #include "simulation/world.h"
@@ -22,8 +24,35 @@ constexpr double kAbsurdRate_rad_per_s = 1000.0;
 void checkPhysics(const Physics& physics);
 
 /// A copy of the robot with the scales of `physics` applied to masses, inertias, friction, servo
-/// gain and torques. Its digest is still the original's.
+/// gain and torques, and its legs in their states: a limp one's joints stand still with little
+/// torque, a missing one has hardly any mass and no shape. Its digest is still the original's.
+/// Throws std::invalid_argument when the number of legs, joints or locked angles is another.
 RobotDescription underPhysics(const RobotDescription& robot, const Physics& physics);
+
+/// Whether a touch of this leg and another is Verdict::kSelfCollided (LegState).
+bool touchCounts(const Physics& physics, std::size_t leg);
+
+/// How many steps later than sent a command acts.
+std::size_t latencySteps(const Physics& physics);
+
+/// What becomes of commanded joint targets in a body some of whose legs hold an angle.
+class HeldJoints {
+ public:
+  /// Throws as underPhysics() does.
+  HeldJoints(const RobotDescription& robot, const Physics& physics);
+
+  bool any() const { return !held_.empty(); }
+
+  /// Overwrites the targets [rad, in joint order] of joints that are held.
+  void apply(std::vector<double>& targets_rad) const;
+
+ private:
+  struct Held {
+    std::size_t joint;
+    double angle_rad;
+  };
+  std::vector<Held> held_;
+};
 
 /// Gravity [m/s^2] in the frame of the floor, whose z is the floor's normal. The slopes are those
 /// of the floor along its x and y axes, so straight down is along (-tan slope_x, -tan slope_y, -1).

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "geometry/pose2.h"
+#include "simulation/physics.h"
 
 namespace hexapod {
 namespace {
@@ -34,12 +35,13 @@ std::size_t stepsPerCommand(double command_period_s, double step_s) {
 Outcome play(World& world, const Behavior& behavior, double command_period_s) {
   const std::size_t steps = stepsPerCommand(command_period_s, world.physics().step_s);
   const Pose2 world_from_start = footprint(world.worldFromBase());
-  for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
-    world.setTargets(behavior.command(k));
-    for (std::size_t i = 0; i < steps; ++i) {
-      const Verdict verdict = world.step();
-      if (verdict != Verdict::kWalked) return failed(verdict);
+  const std::size_t latency = latencySteps(world.physics());
+  for (std::size_t i = 0; i < behavior.commandCount() * steps; ++i) {
+    if (i >= latency && (i - latency) % steps == 0) {
+      world.setTargets(behavior.command((i - latency) / steps));
     }
+    const Verdict verdict = world.step();
+    if (verdict != Verdict::kWalked) return failed(verdict);
   }
   return walkedTo(inverse(world_from_start) * footprint(world.worldFromBase()));
 }

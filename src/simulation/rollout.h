@@ -9,7 +9,8 @@
 namespace hexapod {
 
 /// Plays one behaviour from the world's present state and returns its end pose relative to the
-/// footprint it started from. Stops at the first failure; the world is then left as it is.
+/// footprint it started from. Commands act command_latency_s late; what comes after the end never
+/// acts. Stops at the first failure; the world is then left as it is.
 /// Throws std::invalid_argument when the command period is not a multiple of the world's step.
 Outcome play(World& world, const Behavior& behavior, double command_period_s);
 

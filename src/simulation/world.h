@@ -7,20 +7,25 @@
 
 #include "gait/outcome.h"
 #include "robot/robot_description.h"
+#include "simulation/leg_state.h"
 
 namespace hexapod {
 
-/// What can differ from the nominal world: the step of the integrator and scales on the robot
-/// description's own values. The reality gap, on purpose.
+/// What can differ from the nominal world: the step of the integrator, scales on the robot
+/// description's own values, and what is wrong with the body. The reality gap, on purpose, and the
+/// one language of perturbed learning, disturbed robots and what a robot believes of itself.
 struct Physics {
   double step_s = 0.015;  ///< [s]; command period must be a multiple of it
   double gravity_m_per_s2 = 9.81;
-  double friction_scale = 1.0;    ///< of Contact::friction
-  double mass_scale = 1.0;        ///< of every mass and inertia
-  double servo_gain_scale = 1.0;  ///< of Servo::gain_per_s
-  double torque_scale = 1.0;      ///< of every joint's max_torque_nm
-  double slope_x_rad = 0.0;       ///< floor rises toward +x: gravity is tilted instead
-  double slope_y_rad = 0.0;       ///< floor rises toward +y
+  double friction_scale = 1.0;              ///< of Contact::friction
+  double mass_scale = 1.0;                  ///< of every mass and inertia
+  double servo_gain_scale = 1.0;            ///< of Servo::gain_per_s
+  double torque_scale = 1.0;                ///< of every joint's max_torque_nm
+  double slope_x_rad = 0.0;                 ///< floor rises toward +x: gravity is tilted instead
+  double slope_y_rad = 0.0;                 ///< floor rises toward +y
+  double command_latency_s = 0.0;           ///< commands act this much later, to the nearest step
+  std::vector<double> joint_torque_scales;  ///< one per joint, beside torque_scale; empty: all 1
+  std::vector<LegState> legs;               ///< one per leg; empty: all intact
 };
 
 /// A copy of a world's full dynamic state; opaque, and valid for worlds of the same engine and
@@ -48,7 +53,8 @@ class World {
   virtual WorldState state() const = 0;
   virtual void restore(const WorldState& state) = 0;
 
-  /// Joint targets [rad] in joint order, held until the next call.
+  /// Joint targets [rad] in joint order, held until the next call. Legs that hold an angle
+  /// (LegState) keep theirs. Acts at once: who plays commands delays them by command_latency_s.
   virtual void setTargets(const std::vector<double>& targets_rad) = 0;
 
   /// Advances by physics().step_s. Returns kWalked while nothing failed; the failures of Outcome
@@ -85,8 +91,9 @@ struct EngineChoice {
 EngineChoice chooseEngine(const std::string& name, const RobotDescription& robot);
 
 /// Builds a world. The description is copied in. Throws std::invalid_argument when a physics value
-/// is out of range (naming it).
+/// is out of range (naming it). With `settled`, of a world of the same engine and robot, that is
+/// what restart() puts back: nothing is settled, and a body that cannot stand may be built.
 std::unique_ptr<World> makeWorld(Engine engine, const RobotDescription& robot,
-                                 const Physics& physics);
+                                 const Physics& physics, const WorldState* settled = nullptr);
 
 }  // namespace hexapod

@@ -70,13 +70,16 @@ std::array<dReal, 4> quaternion(const Eigen::Isometry3d& pose) {
 
 }  // namespace
 
-/// One robot and a floor in an ODE world, built from a description whose scales are applied
-/// already.
+/// One robot and a floor in an ODE world, under one physics.
 class OdeRobot {
  public:
-  OdeRobot(const RobotDescription& robot, const Eigen::Vector3d& gravity_m_per_s2) : robot_(robot) {
+  OdeRobot(const RobotDescription& robot, const Physics& physics)
+      : robot_(underPhysics(robot, physics)) {
     OdeLibrary::prepareThread();
-    makeWorld(gravity_m_per_s2);
+    for (std::size_t leg = 0; leg < robot_.legs.size(); ++leg) {
+      touch_counts_.push_back(touchCounts(physics, leg));
+    }
+    makeWorld(gravityOnFloor(physics));
     makeBodies();
     makeHinges();
   }
@@ -297,8 +300,10 @@ class OdeRobot {
   bool legsTouch() const {
     dContactGeom touching;
     for (std::size_t a = 0; a < leg_shapes_.size(); ++a) {
+      if (!touch_counts_[leg_shapes_[a].leg]) continue;
       for (std::size_t b = a + 1; b < leg_shapes_.size(); ++b) {
-        if (leg_shapes_[a].leg == leg_shapes_[b].leg || !mayTouch(leg_shapes_[a], leg_shapes_[b])) {
+        if (leg_shapes_[a].leg == leg_shapes_[b].leg || !touch_counts_[leg_shapes_[b].leg] ||
+            !mayTouch(leg_shapes_[a], leg_shapes_[b])) {
           continue;
         }
         if (dCollide(leg_shapes_[a].geom, leg_shapes_[b].geom, 1, &touching, sizeof(touching)) >
@@ -318,6 +323,7 @@ class OdeRobot {
   }
 
   RobotDescription robot_;
+  std::vector<bool> touch_counts_;  // per leg
   std::vector<const Joint*> joints_;
   std::vector<Eigen::Isometry3d> zero_pose_;
   dWorldID world_ = nullptr;
@@ -334,23 +340,26 @@ class OdeRobot {
   std::vector<OdeShape> leg_shapes_;
 };
 
-OdeWorld::OdeWorld(const RobotDescription& robot, const Physics& physics)
-    : description_(robot), physics_(physics) {
+OdeWorld::OdeWorld(const RobotDescription& robot, const Physics& physics, const WorldState* settled)
+    : description_(robot), physics_(physics), held_(robot, physics) {
   checkPhysics(physics_);
   build();
-  settle();
-  settled_ = footprintAtOrigin(worldFromBase(), state(), ode_->bodyCount());
+  if (settled != nullptr) {
+    settled_ = *settled;
+  } else {
+    settle();
+    settled_ = footprintAtOrigin(worldFromBase(), state(), ode_->bodyCount());
+  }
   restart();
 }
 
 OdeWorld::~OdeWorld() = default;
 
-void OdeWorld::build() {
-  ode_ = std::make_unique<OdeRobot>(underPhysics(description_, physics_), gravityOnFloor(physics_));
-}
+void OdeWorld::build() { ode_ = std::make_unique<OdeRobot>(description_, physics_); }
 
 void OdeWorld::settle() {
   restore(standingState(description_));
+  setTargets(description_.neutralPose());
   const int steps = static_cast<int>(std::lround(kSettlingTime_s / kSettlingStep_s));
   for (int i = 1; i <= steps; ++i) {
     const Verdict verdict = advance(kSettlingStep_s);
@@ -399,6 +408,7 @@ void OdeWorld::setTargets(const std::vector<double>& targets_rad) {
                                 std::to_string(targets_rad.size()) + " targets.");
   }
   targets_rad_ = targets_rad;
+  held_.apply(targets_rad_);
 }
 
 Verdict OdeWorld::step() { return advance(physics_.step_s); }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/physics.h"
 #include "simulation/world.h"
 
 namespace hexapod {
@@ -34,8 +35,10 @@ class OdeRobot;
 class OdeWorld : public World {
  public:
   /// Throws std::invalid_argument (physics out of range, a robot without shapes) or
-  /// std::runtime_error (the robot does not stand in its neutral pose).
-  OdeWorld(const RobotDescription& robot, const Physics& physics);
+  /// std::runtime_error (the robot does not stand in its neutral pose). With `settled` nothing is
+  /// settled: that is what restart() puts back.
+  OdeWorld(const RobotDescription& robot, const Physics& physics,
+           const WorldState* settled = nullptr);
   ~OdeWorld() override;
 
   const RobotDescription& robot() const override { return description_; }
@@ -65,6 +68,7 @@ class OdeWorld : public World {
 
   RobotDescription description_;
   Physics physics_;
+  HeldJoints held_;
   std::unique_ptr<OdeRobot> ode_;
   std::vector<double> targets_rad_;
   bool diverged_ = false;

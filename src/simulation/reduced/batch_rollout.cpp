@@ -22,16 +22,23 @@ void checkRuns(const std::vector<BatchRun>& runs, std::size_t values) {
   }
 }
 
+// In steps.
+struct CommandTiming {
+  std::size_t period;
+  std::size_t latency;
+};
+
 // Hands the runs to the lanes as they come free.
 class Conveyor {
  public:
   Conveyor(const reduced::ReducedModel& model, reduced::Stepper& stepper, const WorldState& settled,
-           const std::vector<BatchRun>& runs, std::size_t steps_per_command)
+           const std::vector<BatchRun>& runs, const CommandTiming& timing, const HeldJoints& held)
       : model_(model),
         stepper_(stepper),
         settled_(settled),
         runs_(runs),
-        steps_per_command_(steps_per_command),
+        timing_(timing),
+        held_(held),
         lanes_(stepper.lanes()),
         results_(runs.size()) {}
 
@@ -57,12 +64,22 @@ class Conveyor {
       while (lanes_[lane].run == nullptr && next_ < runs_.size()) begin(lane);
       if (lanes_[lane].run == nullptr) continue;
       busy = true;
-      if (lanes_[lane].step % steps_per_command_ != 0) continue;
-      const std::size_t command = lanes_[lane].step / steps_per_command_;
-      const std::vector<double>& targets = lanes_[lane].run->behavior->command(command);
-      stepper_.setTargets(static_cast<int>(lane), targets.data());
+      if (lanes_[lane].step < timing_.latency) continue;
+      const std::size_t step = lanes_[lane].step - timing_.latency;
+      if (step % timing_.period != 0) continue;
+      send(lane, lanes_[lane].run->behavior->command(step / timing_.period));
     }
     return busy;
+  }
+
+  void send(std::size_t lane, const std::vector<double>& targets_rad) {
+    const std::vector<double>* sent = &targets_rad;
+    if (held_.any()) {
+      targets_rad_ = targets_rad;
+      held_.apply(targets_rad_);
+      sent = &targets_rad_;
+    }
+    stepper_.setTargets(static_cast<int>(lane), sent->data());
   }
 
   void begin(std::size_t lane) {
@@ -77,7 +94,7 @@ class Conveyor {
   void endStep(std::size_t lane) {
     if (lanes_[lane].run == nullptr) return;
     const Verdict verdict = reduced::verdictOf(stepper_.findings(static_cast<int>(lane)));
-    const std::size_t steps = lanes_[lane].run->behavior->commandCount() * steps_per_command_;
+    const std::size_t steps = lanes_[lane].run->behavior->commandCount() * timing_.period;
     if (verdict != Verdict::kWalked || ++lanes_[lane].step == steps) finish(lane, verdict);
   }
 
@@ -100,7 +117,9 @@ class Conveyor {
   reduced::Stepper& stepper_;
   const WorldState& settled_;
   const std::vector<BatchRun>& runs_;
-  std::size_t steps_per_command_;
+  CommandTiming timing_;
+  const HeldJoints& held_;
+  std::vector<double> targets_rad_;
   std::size_t next_ = 0;
   std::vector<Lane> lanes_;
   std::vector<BatchResult> results_;
@@ -115,6 +134,7 @@ BatchRollout::BatchRollout(const RobotDescription& robot, const Physics& physics
 BatchRollout::BatchRollout(const RobotDescription& robot, const Physics& physics,
                            const WorldState& settled, reduced::InstructionSet instructions)
     : physics_(physics),
+      held_(robot, physics),
       model_(std::make_unique<reduced::ReducedModel>(reduced::makeModel(robot, physics))),
       stepper_(reduced::makeBatchStepper(*model_, instructions)),
       settled_(settled) {
@@ -128,8 +148,9 @@ int BatchRollout::lanes() const { return stepper_->lanes(); }
 std::vector<BatchResult> BatchRollout::play(const std::vector<BatchRun>& runs,
                                             double command_period_s) {
   checkRuns(runs, settled_.values.size());
-  const std::size_t steps = stepsPerCommand(command_period_s, physics_.step_s);
-  return Conveyor(*model_, *stepper_, settled_, runs, steps).run(physics_.step_s);
+  const CommandTiming timing{stepsPerCommand(command_period_s, physics_.step_s),
+                             latencySteps(physics_)};
+  return Conveyor(*model_, *stepper_, settled_, runs, timing, held_).run(physics_.step_s);
 }
 
 std::vector<Outcome> playEach(World& world, const std::vector<BatchRun>& runs,

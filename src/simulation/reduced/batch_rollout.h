@@ -6,6 +6,7 @@
 
 #include "gait/behavior.h"
 #include "gait/outcome.h"
+#include "simulation/physics.h"
 #include "simulation/reduced/batch_stepper.h"
 #include "simulation/world.h"
 
@@ -52,6 +53,7 @@ class BatchRollout {
 
  private:
   Physics physics_;
+  HeldJoints held_;
   std::unique_ptr<const reduced::ReducedModel> model_;
   std::unique_ptr<reduced::Stepper> stepper_;
   WorldState settled_;

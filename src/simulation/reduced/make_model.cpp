@@ -208,7 +208,7 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
       model.bodies[leg][s] = makeBody(segment.body);
       model.joints[leg][s] = makeJoint(segment.joint, *parent, segment.body);
       addSpheres(floorSpheres(segment.body, leg, s), model);
-      addCapsules(segment.body, leg, s, model);
+      if (touchCounts(physics, leg)) addCapsules(segment.body, leg, s, model);
       parent = &segment.body;
     }
     addReach(scaled.legs[leg], leg, model);

@@ -36,13 +36,19 @@ void checkCount(const char* what, const std::string& robot, std::size_t expected
 
 }  // namespace
 
-ReducedWorld::ReducedWorld(const RobotDescription& robot, const Physics& physics)
+ReducedWorld::ReducedWorld(const RobotDescription& robot, const Physics& physics,
+                           const WorldState* settled)
     : description_(robot),
       physics_(physics),
+      held_(robot, physics),
       model_(std::make_unique<reduced::ReducedModel>(reduced::makeModel(robot, physics))),
       stepper_(reduced::makeScalarStepper(*model_)) {
-  settle();
-  settled_ = footprintAtOrigin(worldFromBase(), state(), description_.jointCount() + 1);
+  if (settled != nullptr) {
+    settled_ = *settled;
+  } else {
+    settle();
+    settled_ = footprintAtOrigin(worldFromBase(), state(), description_.jointCount() + 1);
+  }
   restart();
 }
 
@@ -50,6 +56,7 @@ ReducedWorld::~ReducedWorld() = default;
 
 void ReducedWorld::settle() {
   restore(standingState(description_));
+  setTargets(description_.neutralPose());
   const int steps = static_cast<int>(std::lround(kSettlingTime_s / kSettlingStep_s));
   for (int i = 1; i <= steps; ++i) {
     const Verdict verdict = advance(kSettlingStep_s);
@@ -78,7 +85,10 @@ void ReducedWorld::restore(const WorldState& state) {
 void ReducedWorld::setTargets(const std::vector<double>& targets_rad) {
   checkCount("A set of joint targets", description_.name, description_.jointCount(),
              targets_rad.size());
-  stepper_->setTargets(0, targets_rad.data());
+  if (!held_.any()) return stepper_->setTargets(0, targets_rad.data());
+  std::vector<double> held_rad = targets_rad;
+  held_.apply(held_rad);
+  stepper_->setTargets(0, held_rad.data());
 }
 
 Verdict ReducedWorld::step() { return advance(physics_.step_s); }

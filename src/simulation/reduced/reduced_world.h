@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "simulation/physics.h"
 #include "simulation/world.h"
 
 namespace hexapod {
@@ -26,8 +27,10 @@ class Stepper;
 class ReducedWorld : public World {
  public:
   /// Throws std::invalid_argument (physics out of range, a robot that is not covered) or
-  /// std::runtime_error (the robot does not stand in its neutral pose).
-  ReducedWorld(const RobotDescription& robot, const Physics& physics);
+  /// std::runtime_error (the robot does not stand in its neutral pose). With `settled` nothing is
+  /// settled: that is what restart() puts back.
+  ReducedWorld(const RobotDescription& robot, const Physics& physics,
+               const WorldState* settled = nullptr);
   ~ReducedWorld() override;
 
   const RobotDescription& robot() const override { return description_; }
@@ -59,6 +62,7 @@ class ReducedWorld : public World {
 
   RobotDescription description_;
   Physics physics_;
+  HeldJoints held_;
   std::unique_ptr<const reduced::ReducedModel> model_;
   std::unique_ptr<reduced::Stepper> stepper_;
   bool diverged_ = false;
