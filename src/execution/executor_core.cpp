@@ -73,7 +73,7 @@ Cause ExecutorCore::stand() {
 Cause ExecutorCore::sit() {
   if (status_.mode != ExecutorMode::kReady) return judged(Reason::kNotReady);
   beginRamp(gate_.last(), sitting_, 0.0);
-  enter(ExecutorMode::kHolding, {Reason::kSittingDown});
+  enter(ExecutorMode::kSittingDown, {Reason::kSittingDown});
   return {};
 }
 
@@ -91,6 +91,7 @@ Cause ExecutorCore::start(const Behavior& behavior, std::int64_t entry_id) {
   }
   behavior_ = &behavior;
   begins_ = true;
+  skipped_ = 0;
   ++status_.serial;
   status_.entry_id = entry_id;
   status_.first_slot = last_slot_ + 1;
@@ -144,12 +145,20 @@ const std::vector<double>* ExecutorCore::tick(std::int64_t slot) {
 }
 
 void ExecutorCore::passTime(std::int64_t slot) {
-  const bool late = last_slot_ != kNoSlot && sendsCommands(status_.mode);
-  if (late) status_.skipped += static_cast<std::uint64_t>(slot - last_slot_ - 1);
+  if (last_slot_ != kNoSlot && sendsCommands(status_.mode)) countSkipped(slot);
   last_slot_ = slot;
   // Feedback ages by ticks, not by slots: after a stall of the whole process it is as old as
   // before.
   if (status_.ticks_since_feedback >= 0) ++status_.ticks_since_feedback;
+}
+
+void ExecutorCore::countSkipped(std::int64_t slot) {
+  status_.skipped += static_cast<std::uint64_t>(slot - last_slot_ - 1);
+  if (status_.mode != ExecutorMode::kWalking || begins_) return;
+  const auto count = static_cast<std::int64_t>(behavior_->commandCount());
+  const std::int64_t begin = std::min(last_slot_ + 1 - begin_slot_, count);
+  const std::int64_t end = std::min(slot - begin_slot_, count);
+  skipped_ += static_cast<std::uint32_t>(end - begin);
 }
 
 bool ExecutorCore::feedbackIsStale() const {
@@ -193,7 +202,7 @@ void ExecutorCore::finishMotion(std::int64_t index) {
       walking ? static_cast<std::int64_t>(behavior_->commandCount()) : ramp_.length() + 1;
   // A late loop or a behaviour without a way back may still have to reach its end.
   if (index < length || !arrivedAt(walking ? neutral_ : ramp_.goal())) return;
-  if (status_.cause.reason == Reason::kSittingDown) {
+  if (status_.mode == ExecutorMode::kSittingDown) {
     enter(ExecutorMode::kDisarmed, {Reason::kSatDown});
     return;
   }
@@ -203,7 +212,7 @@ void ExecutorCore::finishMotion(std::int64_t index) {
 }
 
 void ExecutorCore::chooseTarget(std::int64_t index) {
-  if (status_.mode == ExecutorMode::kStandingUp || status_.mode == ExecutorMode::kHolding) {
+  if (status_.mode != ExecutorMode::kReady && status_.mode != ExecutorMode::kWalking) {
     ramp_.pose(index, target_);
     return;
   }
@@ -236,7 +245,7 @@ void ExecutorCore::beginRamp(const std::vector<double>& from, const std::vector<
 
 void ExecutorCore::endBehavior(Cause cause) {
   if (status_.last_end.serial == status_.serial) return;
-  status_.last_end = {status_.serial, cause, sent_slot_};
+  status_.last_end = {status_.serial, cause, sent_slot_, skipped_};
   status_.entry_id = -1;
   behavior_ = nullptr;
 }

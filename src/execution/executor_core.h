@@ -35,7 +35,7 @@ class ExecutorCore {
   Cause arm();
   /// arm() from DISARMED; refused when STOPPED or in FAULT.
   Cause stand();
-  /// From READY: a ramp to the sitting pose, then DISARMED.
+  /// From READY: SITTING_DOWN, a ramp to the sitting pose, then DISARMED.
   Cause sit();
   /// Nothing more is sent, in any mode but STOPPED and FAULT, which stay.
   Cause disarm();
@@ -68,6 +68,7 @@ class ExecutorCore {
   void beginRamp(const std::vector<double>& from, const std::vector<double>& to, double hold_s);
   void endBehavior(Cause cause);
   void passTime(std::int64_t slot);
+  void countSkipped(std::int64_t slot);
   bool feedbackIsStale() const;
   bool robotFollows();
   Cause checkTracking();
@@ -91,6 +92,7 @@ class ExecutorCore {
   std::int64_t begin_slot_ = 0;
   std::int64_t last_slot_;
   std::int64_t sent_slot_ = 0;
+  std::uint32_t skipped_ = 0;  // commands of the behaviour
   ExecutorStatus status_;
 };
 

@@ -37,13 +37,16 @@ const char* toString(ExecutorMode mode) {
       return "STOPPED";
     case ExecutorMode::kFault:
       return "FAULT";
+    case ExecutorMode::kSittingDown:
+      return "SITTING_DOWN";
   }
   return "UNKNOWN";
 }
 
 bool sendsCommands(ExecutorMode mode) {
   return mode == ExecutorMode::kStandingUp || mode == ExecutorMode::kReady ||
-         mode == ExecutorMode::kWalking || mode == ExecutorMode::kHolding;
+         mode == ExecutorMode::kWalking || mode == ExecutorMode::kHolding ||
+         mode == ExecutorMode::kSittingDown;
 }
 
 std::string sentence(const Cause& cause, const std::vector<std::string>& joint_names) {

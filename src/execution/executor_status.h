@@ -14,7 +14,8 @@ enum class ExecutorMode : std::uint8_t {
   kWalking = 3,
   kHolding = 4,
   kStopped = 5,
-  kFault = 6
+  kFault = 6,
+  kSittingDown = 7
 };
 
 /// "DISARMED", "STANDING_UP", ..
@@ -71,6 +72,7 @@ struct BehaviorEnd {
   std::uint64_t serial = 0;    ///< of the behaviour, from 1; 0: none ended yet
   Cause cause;                 ///< kFinished when it came to its end
   std::int64_t last_slot = 0;  ///< command period of its last command
+  std::uint32_t skipped = 0;   ///< of its commands, left out because the loop was late
 };
 
 /// Everything the executor tells; copied between threads, so it holds no pointers.

@@ -153,6 +153,10 @@ TEST_F(ExecutorCoreTest, AStallSkipsToTheTimelineWithinTheVelocityLimit) {
   EXPECT_EQ(step(), behavior_->command(40)) << "caught up, on the timeline";
   stepUntil(ExecutorMode::kReady);
   EXPECT_EQ(endReason(), Reason::kFinished);
+  EXPECT_EQ(core_->status().last_end.skipped, 6u);
+  ASSERT_TRUE(core_->start(*behavior_, 5).accepted());
+  stepUntil(ExecutorMode::kReady);
+  EXPECT_EQ(core_->status().last_end.skipped, 0u) << "those of the behaviour before do not count";
 }
 
 TEST_F(ExecutorCoreTest, AStallBeyondTheEndStillEndsInNeutralSmoothly) {
@@ -166,6 +170,8 @@ TEST_F(ExecutorCoreTest, AStallBeyondTheEndStillEndsInNeutralSmoothly) {
   }
   EXPECT_EQ(mode(), ExecutorMode::kReady);
   EXPECT_EQ(after, neutral_);
+  // 20 of the behaviour's 130 commands were sent.
+  EXPECT_EQ(core_->status().last_end.skipped, 110u);
 }
 
 TEST_F(ExecutorCoreTest, ABehaviorThatEndsAfterTheGaitIsBroughtBackToNeutral) {
@@ -268,6 +274,7 @@ TEST_F(ExecutorCoreTest, SitsDownAndStandsUpAgain) {
   EXPECT_EQ(core_->sit().reason, Reason::kNotReady);
   makeReady();
   ASSERT_TRUE(core_->sit().accepted());
+  EXPECT_EQ(mode(), ExecutorMode::kSittingDown);
   stepUntil(ExecutorMode::kDisarmed);
   EXPECT_EQ(measured_, sittingPose(shippedRobot(), 1.0));
   EXPECT_TRUE(step().empty());

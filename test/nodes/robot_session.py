@@ -107,6 +107,11 @@ class Session:
         return handle.get_result()
 
 
+def played(result):
+    """True when a behaviour came to its end, skipped commands of a busy machine or not."""
+    return result.code in (ExecuteBehaviorResult.SUCCEEDED, ExecuteBehaviorResult.SKIPPED)
+
+
 def stamp_ns(message):
     return message.header.stamp.to_nsec()
 
@@ -163,20 +168,23 @@ def end_pose_error(odometry, result, expected):
 def check_end_pose(test, session, odometry, runs):
     """Plays TRIPOD from the settled stand; each run must end where the learner says."""
     expected, _ = offline_outcome(rospy.get_param("~binaries"), rospy.get_param("~root"), TRIPOD)
-    for run in range(runs):
+    whole = 0
+    for run in range(3 * runs):
         test.assertTrue(rospy.ServiceProxy("simulated_robot/reset", Trigger)().success)
         odometry.clear()
         wait_for(lambda: odometry.count() > SETTLED_STEPS, 10.0, "the stand")
-        skipped = session.states.last().skipped
         result = session.result(session.send(TRIPOD))
+        if result.code == ExecuteBehaviorResult.SKIPPED:
+            continue  # the machine was too busy; another try
         test.assertEqual(result.code, ExecuteBehaviorResult.SUCCEEDED, result.message)
         distance_m, turn_rad = end_pose_error(odometry, result, expected)
-        late = session.states.next().skipped - skipped
-        print("run %d: %d commands skipped, end pose off by %.2e m, %.2e rad" %
-              (run, late, distance_m, turn_rad))
-        if late == 0:
-            test.assertLess(distance_m, 1e-3)
-            test.assertLess(turn_rad, 1e-2)
+        print("run %d: end pose off by %.2e m, %.2e rad" % (run, distance_m, turn_rad))
+        test.assertLess(distance_m, 1e-3)
+        test.assertLess(turn_rad, 1e-2)
+        whole += 1
+        if whole == runs:
+            return
+    test.fail("%d of %d runs came to their end without skipped commands" % (whole, 3 * runs))
 
 
 def odometry_recorder():

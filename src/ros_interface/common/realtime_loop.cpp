@@ -82,13 +82,14 @@ void RealtimeLoop::runSteady() {
   for (std::int64_t slot = 0; running_; ++slot) {
     sleepUntilSteady(start_ns + slot * period_ns_);
     const std::int64_t elapsed_ns = steadyNow_ns() - start_ns;
+    const std::int64_t late_ns = elapsed_ns - slot * period_ns_;
     slot = std::max(slot, elapsed_ns / period_ns_);
     const std::int64_t offset_ns = wallFromSteady_ns();
     if (std::abs(offset_ns - wall_offset_ns) > kClockSet_ns && callbacks_.may_move_stamps()) {
       first_stamp_ns_ += offset_ns - wall_offset_ns;
       wall_offset_ns = offset_ns;
     }
-    if (running_) tick(slot, elapsed_ns - slot * period_ns_);
+    if (running_) tick(slot, late_ns);
   }
 }
 
@@ -111,8 +112,9 @@ void RealtimeLoop::runSimulated() {
       sleepUntilSteady(steadyNow_ns() + kClockPoll_ns);
       continue;
     }
+    const std::int64_t late_ns = elapsed_ns - slot * period_ns_;
     slot = std::max(slot, elapsed_ns / period_ns_);
-    tick(slot, elapsed_ns - slot * period_ns_);
+    tick(slot, late_ns);
     ++slot;
   }
 }

@@ -14,7 +14,7 @@ namespace hexapod {
 struct LoopTiming {
   std::uint64_t ticks = 0;
   std::uint64_t skipped = 0;  ///< deadlines left out because the loop was more than a period late
-  double largest_lateness_s = 0;  ///< of a tick against its deadline
+  double largest_lateness_s = 0;  ///< of a tick against the deadline that was its turn
   double mean_lateness_s = 0;
 };
 

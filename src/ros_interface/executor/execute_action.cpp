@@ -13,10 +13,10 @@ constexpr double kFeedbackPeriod_s = 0.2;
 
 using Result = hexapod_repertoire::ExecuteBehaviorResult;
 
-std::uint8_t codeOf(Reason reason) {
-  switch (reason) {
+std::uint8_t codeOf(const BehaviorEnd& end) {
+  switch (end.cause.reason) {
     case Reason::kFinished:
-      return Result::SUCCEEDED;
+      return end.skipped > 0 ? Result::SKIPPED : Result::SUCCEEDED;
     case Reason::kCancelled:
       return Result::PREEMPTED;
     case Reason::kStopRequested:
@@ -106,8 +106,14 @@ void ExecuteAction::poll(const ExecutorStatus& status) {
 
 void ExecuteAction::finish(const BehaviorEnd& end) {
   Result result;
-  result.code = codeOf(end.cause.reason);
+  result.code = codeOf(end);
   result.message = sentence(end.cause, joint_names_);
+  result.skipped = end.skipped;
+  if (result.code == Result::SKIPPED) {
+    result.message += " " + std::to_string(end.skipped) + " of its " +
+                      std::to_string(behavior_->commandCount()) +
+                      " commands were skipped because the executor was late.";
+  }
   result.finished = loop_.stamp(end.last_slot);
   playing_ = false;
   behavior_.reset();

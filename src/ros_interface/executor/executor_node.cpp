@@ -86,8 +86,7 @@ ExecutorNode::End ExecutorNode::run(const std::atomic<bool>& leave) {
     action_.poll(status);
     reports_.poll(status);
     if (auto_arm_) autoArm();
-    const bool moving =
-        status.mode == ExecutorMode::kWalking || status.mode == ExecutorMode::kHolding;
+    const bool moving = sendsCommands(status.mode) && status.mode != ExecutorMode::kReady;
     if (master_.masterIsLost() && !moving) {
       end = End::kMasterLost;
       break;

@@ -60,7 +60,10 @@ BehaviorClient::Result BehaviorClient::playOnce(const hexapod_repertoire::Execut
     }
   }
   const auto result = client_.getResult();
-  const bool played = client_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
+  const bool skipped =
+      result && result->code == hexapod_repertoire::ExecuteBehaviorResult::SKIPPED;
+  const bool played =
+      skipped || client_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
   const std::string message =
       result && !result->message.empty() ? result->message : client_.getState().getText();
   const ros::Time finished = result ? result->finished : ros::Time(0);
