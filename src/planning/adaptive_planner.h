@@ -3,39 +3,48 @@
 #include <memory>
 #include <mutex>
 
-#include "planning/deviation.h"
+#include "planning/foresight.h"
 #include "planning/planner.h"
 #include "repertoire/repertoire.h"
 
 namespace hexapod {
 
-/// A planner that follows how the robot deviates from its repertoire: built anew whenever the
-/// estimate of the Deviation changes. planner() may be called from any thread, observe() from one.
+/// A planner that follows what is learned of the robot: built anew whenever its Foresight expects
+/// something else of the repertoire. plan() and planner() may be called from any thread, observe()
+/// from one.
 class AdaptivePlanner {
  public:
+  /// Without a foresight the repertoire is taken at its word.
+  AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options,
+                  std::shared_ptr<Foresight> foresight);
+  /// Learns how the robot deviates from its repertoire, all behaviours alike.
   AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options);
 
-  /// For a newer state of the same repertoire: begins with what `earlier` has learned.
+  /// For a newer state of the same repertoire: knows what `earlier` has learned, and what it learns
+  /// from now on in a walk that still goes on with it.
   AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier);
 
-  const Repertoire& repertoire() const { return repertoire_; }
+  const Repertoire& repertoire() const { return *repertoire_; }
 
   /// The planner as of the last observation; it stays as it is for whoever holds it.
   std::shared_ptr<const Planner> planner() const;
 
+  /// As Planner::plan(), a drift in the world included: a chain of k behaviours is sought to the
+  /// goal less k drifts, and predicted to end that much farther.
+  PlanResult plan(const PlanRequest& request) const;
+
   /// One behaviour that was walked: its entry (index) and the measured pose at rest before and
-  /// after it. Takes some 50 ms when the estimate changes.
-  void observe(std::size_t entry, const Pose2& world_from_before, const Pose2& world_from_after);
+  /// after it, and feedback of the joints if there is any. Takes some 50 ms when the expectation
+  /// changes, beside what the foresight takes.
+  void observe(std::size_t entry, const Pose2& world_from_before, const Pose2& world_from_after,
+               const std::vector<JointRange>& joints = {});
 
  private:
-  AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier,
-                  const std::lock_guard<std::mutex>& lock_of_earlier);
-
-  const Repertoire repertoire_;
+  const std::shared_ptr<const Repertoire> repertoire_;
   const PlannerOptions options_;
+  const std::shared_ptr<Foresight> foresight_;
+  std::shared_ptr<const Repertoire> expected_;  // of planner_
   mutable std::mutex mutex_;
-  DeviationEstimator estimator_;            // guarded by mutex_
-  Deviation deviation_;                     // guarded by mutex_
   std::shared_ptr<const Planner> planner_;  // guarded by mutex_
 };
 

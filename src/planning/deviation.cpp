@@ -87,4 +87,27 @@ Deviation DeviationEstimator::deviation() const {
   return result;
 }
 
+void DeviationForesight::observe(const WalkedStep& step) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  estimator_.observe(step.entry.expectedPose(),
+                     inverse(step.world_from_before) * step.world_from_after);
+}
+
+std::shared_ptr<const Repertoire> DeviationForesight::expected(
+    const std::shared_ptr<const Repertoire>& repertoire) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Deviation deviation = estimator_.deviation();
+  if (deviation == Deviation{}) return repertoire;
+  if (undeviated_ == repertoire && deviation == deviation_) return deviating_;
+  auto made = std::make_shared<Repertoire>(*repertoire);
+  for (Entry& entry : made->entries) {
+    entry.end_pose = deviation.apply(entry.end_pose);
+    if (entry.execution) entry.execution->mean = deviation.apply(entry.execution->mean);
+  }
+  undeviated_ = repertoire;
+  deviation_ = deviation;
+  deviating_ = made;
+  return deviating_;
+}
+
 }  // namespace hexapod

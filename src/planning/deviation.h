@@ -1,6 +1,10 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
+
 #include "geometry/pose2.h"
+#include "planning/foresight.h"
 
 namespace hexapod {
 
@@ -48,6 +52,21 @@ class DeviationEstimator {
   double turn_squared_ = 0.0;  ///< their squares
   double error_sum_ = 0.0;     ///< heading errors
   double error_turn_ = 0.0;    ///< heading errors times expected changes
+};
+
+/// Expects every entry to deviate as those walked so far.
+class DeviationForesight : public Foresight {
+ public:
+  void observe(const WalkedStep& step) override;
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override;
+
+ private:
+  std::mutex mutex_;
+  DeviationEstimator estimator_;
+  Deviation deviation_;                           // of deviating_
+  std::shared_ptr<const Repertoire> undeviated_;  // that deviating_ was made from
+  std::shared_ptr<const Repertoire> deviating_;
 };
 
 }  // namespace hexapod

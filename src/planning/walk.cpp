@@ -71,7 +71,7 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
   request.world_from_goal = world_from_goal_;
   request.tolerance = tolerance_;
   request.stop = stop;
-  decision.plan = planner_->planner()->plan(request);
+  decision.plan = planner_->plan(request);
   decision.message = decision.plan.message;
   if (decision.plan.code == PlanCode::kAlreadyThere) {
     decision.state = WalkState::kArrived;

@@ -77,7 +77,7 @@ WalkReport Walker::makePlan(const Pose2& start, const Pose2& goal,
   request.world_from_start = start;
   request.world_from_goal = goal;
   request.tolerance = tolerance;
-  const PlanResult plan = planner->planner()->plan(request);
+  const PlanResult plan = planner->plan(request);
   report.code = codeOf(plan.code);
   report.message = plan.message;
   report.plan = pathOf(start, plan, options_.global_frame);

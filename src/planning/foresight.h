@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <vector>
+
+#include "geometry/pose2.h"
+#include "repertoire/repertoire.h"
+
+namespace hexapod {
+
+/// How far a joint moved during a behaviour: what feedback tells of a servo without a common clock.
+struct JointRange {
+  double min_rad = 0.0;
+  double max_rad = 0.0;
+};
+
+/// One behaviour that was walked.
+struct WalkedStep {
+  Entry entry;
+  Pose2 world_from_before, world_from_after;  ///< measured, at rest
+  std::vector<JointRange> joints;  ///< measured, in joint order; empty: there is no feedback
+};
+
+/// What the robot as it is makes of a repertoire, learned while it walks. Planning asks here what
+/// to expect and knows nothing of how it is known. May be called from any thread.
+class Foresight {
+ public:
+  virtual ~Foresight() = default;
+
+  virtual void observe(const WalkedStep& step) = 0;
+
+  /// The same entries in the same order, each one's execution as it is expected now; what is
+  /// expected to fail has falls. Another object whenever the expectation has changed, never one
+  /// that changes.
+  virtual std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) = 0;
+
+  /// What every behaviour moves the robot beyond that, in the world and wherever it heads: the
+  /// downhill drift on a slope [m].
+  virtual Eigen::Vector2d drift_m() const { return Eigen::Vector2d::Zero(); }
+};
+
+}  // namespace hexapod

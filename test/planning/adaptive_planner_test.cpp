@@ -1,0 +1,101 @@
+#include "planning/adaptive_planner.h"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "arc_repertoire.h"
+#include "random_goal.h"
+
+namespace hexapod {
+namespace {
+
+// A floor on which everything slides the same way.
+class Sliding : public Foresight {
+ public:
+  explicit Sliding(const Eigen::Vector2d& drift_m) : drift_m_(drift_m) {}
+  void observe(const WalkedStep&) override {}
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override {
+    return repertoire;
+  }
+  Eigen::Vector2d drift_m() const override { return drift_m_; }
+
+ private:
+  Eigen::Vector2d drift_m_;
+};
+
+// Leaves out all entries that lead backwards once anything was walked.
+class OnlyForward : public Foresight {
+ public:
+  void observe(const WalkedStep& step) override {
+    seen_ = step;
+    walked_ = true;
+  }
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override {
+    if (!walked_) return repertoire;
+    if (made_) return made_;
+    auto made = std::make_shared<Repertoire>(*repertoire);
+    for (Entry& entry : made->entries) {
+      if (entry.expectedPose().x_m < 0.0) entry.execution->falls = 1;
+    }
+    return made_ = made;
+  }
+  WalkedStep seen_;
+
+ private:
+  bool walked_ = false;
+  std::shared_ptr<const Repertoire> made_;
+};
+
+TEST(AdaptivePlanner, SeeksGoalsAgainstTheDrift) {
+  const Repertoire repertoire = arcRepertoire(300, 1);
+  const Eigen::Vector2d drift_m(0.03, -0.04);
+  const AdaptivePlanner planner(repertoire, PlannerOptions(), std::make_shared<Sliding>(drift_m));
+  Random random(5);
+  int longest = 0;
+  for (int i = 0; i < 30; ++i) {
+    PlanRequest request = requestTo(randomPose(random, 1.5));
+    request.world_from_start = randomPose(random, 1.0);
+    const PlanResult plan = planner.plan(request);
+    ASSERT_EQ(plan.code, PlanCode::kFound) << plan.message;
+    // Walked on the sliding floor the plan ends where it says, and in the goal.
+    Pose2 pose = request.world_from_start;
+    for (const PlannedStep& step : plan.steps) {
+      pose = pose * repertoire.entries[step.entry].expectedPose();
+      pose.x_m += drift_m.x();
+      pose.y_m += drift_m.y();
+      EXPECT_LT(distance(pose, step.world_from_end), 1e-9);
+    }
+    EXPECT_LT(distance(pose, plan.world_from_end), 1e-9);
+    EXPECT_LE(distance(pose, request.world_from_goal), request.tolerance.xy_m);
+    longest = std::max(longest, static_cast<int>(plan.steps.size()));
+  }
+  EXPECT_GE(longest, 3);
+}
+
+TEST(AdaptivePlanner, PlansWithWhatIsExpectedAfterAnObservation) {
+  const Repertoire repertoire = arcRepertoire(300, 1);
+  const auto foresight = std::make_shared<OnlyForward>();
+  AdaptivePlanner planner(repertoire, PlannerOptions(), foresight);
+  const auto before = planner.planner();
+  planner.observe(7, Pose2{1.0, 0.0, 0.0}, Pose2{1.5, 0.0, 0.0}, {{-0.1, 0.2}});
+  EXPECT_EQ(foresight->seen_.entry.id, repertoire.entries[7].id);
+  EXPECT_EQ(foresight->seen_.joints.size(), 1u);
+  EXPECT_LT(planner.planner()->usableEntries(), before->usableEntries());
+  // Nothing new is expected: the planner stays.
+  const auto after = planner.planner();
+  planner.observe(8, Pose2(), Pose2{0.5, 0.0, 0.0});
+  EXPECT_EQ(planner.planner(), after);
+}
+
+TEST(AdaptivePlanner, TakesTheRepertoireAtItsWordWithoutAForesight) {
+  AdaptivePlanner planner(arcRepertoire(300, 1), PlannerOptions(), nullptr);
+  const auto before = planner.planner();
+  for (std::size_t i = 0; i < 20; ++i) planner.observe(i, Pose2(), Pose2{0.1, 0.4, 1.0});
+  EXPECT_EQ(planner.planner(), before);
+}
+
+}  // namespace
+}  // namespace hexapod
