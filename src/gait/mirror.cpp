@@ -3,17 +3,36 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/dimensions.h"
+#include "robot/problems.h"
+
 namespace hexapod {
 namespace {
 
-// In metres, radians, kilograms ..: far above rounding, far below what matters.
-constexpr double kTolerance = 1e-6;
+// What files round away: far above the last digit, far below what a gait feels.
+constexpr double kTolerance = 1e-3;         // of angles [rad], axes, and lengths per size
+constexpr double kMassTolerance = 0.01;     // per mass
+constexpr double kInertiaTolerance = 0.05;  // per largest moment
 
-bool same(double a, double b) { return std::abs(a - b) <= kTolerance; }
+constexpr double kRounding = 1e-9;  // of sums, in any unit
+
+bool same(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance + kRounding; }
 
 template <typename Derived>
-bool same(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Derived>& b) {
-  return (a - b).cwiseAbs().maxCoeff() <= kTolerance;
+bool same(const Eigen::MatrixBase<Derived>& a, const Eigen::MatrixBase<Derived>& b,
+          double tolerance) {
+  return (a - b).cwiseAbs().maxCoeff() <= tolerance + kRounding;
+}
+
+// "x is 0.1 m, its image 0.2 m"
+std::string differs(const std::string& what, double value, double image, const std::string& unit) {
+  return what + " is " + numberText(value) + " " + unit + ", that of its image " +
+         numberText(image) + " " + unit;
+}
+
+std::string pointText(const Eigen::Vector3d& point) {
+  return "(" + numberText(point.x()) + " " + numberText(point.y()) + " " + numberText(point.z()) +
+         ")";
 }
 
 Eigen::Matrix3d inFrame(const Eigen::Matrix3d& rotation, const Eigen::Matrix3d& tensor) {
@@ -43,7 +62,7 @@ class SignalSigns {
  public:
   // `product` tells by its sign. False when the joint contradicts an earlier one.
   bool add(const Joint& joint, double product) {
-    if (std::abs(joint.amplitude_rad) <= kTolerance) return true;
+    if (std::abs(joint.amplitude_rad) <= kRounding) return true;
     int& sign = signs_[joint.signal == Signal::kFirst ? 0 : 1];
     const int wanted = product < 0.0 ? -1 : 1;
     if (sign == 0) sign = wanted;
@@ -57,29 +76,54 @@ class SignalSigns {
 
 }  // namespace
 
-std::optional<std::vector<Symmetry::LegImage>> Mirror::legImages(
-    const RobotDescription& robot) const {
-  const Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
-  if (!bodiesMatch(robot.base, base, robot.base, base)) return std::nullopt;
-  std::vector<Symmetry::LegImage> images;
+Mirror::Mirror(const RobotDescription& robot, double x_sign, double y_sign)
+    : robot_(robot), flip_(x_sign, y_sign, 1.0) {
+  double size_m = 0.0;
   for (const Leg& leg : robot.legs) {
-    std::optional<Symmetry::LegImage> image;
-    for (std::size_t other = 0; other < robot.legs.size() && !image; ++other) {
-      image = legImage(leg, robot.legs[other]);
-      if (image) image->leg = other;
+    if (leg.segments.empty()) continue;
+    size_m = std::max(size_m, leg.segments[0].joint.parent_from_joint.translation().norm());
+  }
+  length_tolerance_m_ = kTolerance * std::max(size_m, legReach_m(robot));
+}
+
+std::optional<std::vector<Symmetry::LegImage>> Mirror::legImages() {
+  const Eigen::Isometry3d base = Eigen::Isometry3d::Identity();
+  difference_ = bodyDifference(robot_.base, base, robot_.base, base);
+  if (!difference_.empty()) return std::nullopt;
+  std::vector<Symmetry::LegImage> images;
+  for (const Leg& leg : robot_.legs) {
+    Comparison nearest;
+    for (std::size_t other = 0; other < robot_.legs.size() && !nearest.image; ++other) {
+      Comparison comparison = compare(leg, robot_.legs[other]);
+      if (comparison.image) comparison.image->leg = other;
+      const bool is_nearer =
+          nearest.difference.empty() || comparison.agreeing_parts > nearest.agreeing_parts;
+      if (comparison.image || is_nearer) nearest = comparison;
     }
-    if (!image) return std::nullopt;
-    images.push_back(*image);
+    if (!nearest.image) {
+      difference_ = "leg " + leg.name + " has no image: " + nearest.difference;
+      return std::nullopt;
+    }
+    images.push_back(*nearest.image);
   }
   // Twice the image is the robot itself, unless legs coincide.
   for (std::size_t leg = 0; leg < images.size(); ++leg) {
-    if (images[images[leg].leg].leg != leg) return std::nullopt;
+    if (images[images[leg].leg].leg == leg) continue;
+    difference_ = "two legs are where leg " + robot_.legs[leg].name + " has its image";
+    return std::nullopt;
   }
   return images;
 }
 
-std::optional<Symmetry::LegImage> Mirror::legImage(const Leg& leg, const Leg& other) const {
-  if (leg.segments.size() != other.segments.size()) return std::nullopt;
+Mirror::Comparison Mirror::compare(const Leg& leg, const Leg& other) const {
+  Comparison result;
+  const auto fail = [&](const std::string& difference) {
+    result.difference = difference;
+    return result;
+  };
+  if (leg.segments.size() != other.segments.size()) {
+    return fail("no leg beside it has as many joints");
+  }
   SignalSigns signs;
   Eigen::Isometry3d base_from_body = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_from_twin = Eigen::Isometry3d::Identity();
@@ -93,37 +137,78 @@ std::optional<Symmetry::LegImage> Mirror::legImage(const Leg& leg, const Leg& ot
     const Eigen::Vector3d twin_axis = base_from_twin.linear() * twin.axis;
     const double sense = axis.dot(twin_axis) > 0.0 ? 1.0 : -1.0;
     const Eigen::Vector3d origin = imageOf(base_from_body.translation());
-    if (!same(axis, (sense * twin_axis).eval()) ||
-        !same(origin, base_from_twin.translation().eval()) || !jointsMatch(joint, twin, sense) ||
-        !signs.add(joint, sense * joint.amplitude_rad * twin.amplitude_rad)) {
-      return std::nullopt;
+    const Eigen::Vector3d twin_origin = base_from_twin.translation();
+    if (!same(origin, twin_origin, length_tolerance_m_)) {
+      return fail("joint " + joint.name + " would be at " + pointText(origin) +
+                  " m, the nearest, " + twin.name + ", is at " + pointText(twin_origin) + " m");
+    }
+    ++result.agreeing_parts;
+    if (!same(axis, (sense * twin_axis).eval(), kTolerance)) {
+      return fail("the axis of joint " + joint.name + " would be " + pointText(axis) +
+                  ", that of " + twin.name + " is " + pointText(twin_axis));
+    }
+    ++result.agreeing_parts;
+    const std::string difference = jointDifference(joint, twin, sense);
+    if (!difference.empty()) return fail(difference);
+    if (!signs.add(joint, sense * joint.amplitude_rad * twin.amplitude_rad)) {
+      return fail("the joints of " + leg.name + " and " + other.name +
+                  " have amplitudes of signs that do not go together");
     }
     base_from_body = base_from_body * neutralTurn(joint);
     base_from_twin = base_from_twin * neutralTurn(twin);
-    if (!bodiesMatch(body, base_from_body, twin_body, base_from_twin)) return std::nullopt;
+    const std::string of_body = bodyDifference(body, base_from_body, twin_body, base_from_twin);
+    if (!of_body.empty()) return fail(of_body);
+    ++result.agreeing_parts;
   }
-  return Symmetry::LegImage{0, signs.negated()};
+  result.image = Symmetry::LegImage{0, signs.negated()};
+  return result;
 }
 
-bool Mirror::jointsMatch(const Joint& joint, const Joint& other, double sense) const {
+std::string Mirror::jointDifference(const Joint& joint, const Joint& other, double sense) const {
   const double down_rad = joint.lower_rad - joint.neutral_rad;
   const double up_rad = joint.upper_rad - joint.neutral_rad;
-  return joint.signal == other.signal &&
-         same(std::abs(joint.amplitude_rad), std::abs(other.amplitude_rad)) &&
-         same(joint.max_torque_nm, other.max_torque_nm) &&
-         same(joint.max_velocity_rad_per_s, other.max_velocity_rad_per_s) &&
-         same(sense > 0.0 ? down_rad : -up_rad, other.lower_rad - other.neutral_rad) &&
-         same(sense > 0.0 ? up_rad : -down_rad, other.upper_rad - other.neutral_rad);
+  const std::string of = " of joint " + joint.name;
+  if (joint.signal != other.signal) return "the signal" + of + " is another than that of its image";
+  const auto compared = [&](const std::string& what, double value, double image, double tolerance,
+                            const std::string& unit) {
+    return same(value, image, tolerance) ? "" : differs(what + of, value, image, unit);
+  };
+  for (const std::string& difference :
+       {compared("the amplitude", std::abs(joint.amplitude_rad), std::abs(other.amplitude_rad),
+                 kTolerance, "rad"),
+        compared("the torque", joint.max_torque_nm, other.max_torque_nm,
+                 kMassTolerance * joint.max_torque_nm, "N m"),
+        compared("the velocity", joint.max_velocity_rad_per_s, other.max_velocity_rad_per_s,
+                 kMassTolerance * joint.max_velocity_rad_per_s, "rad/s"),
+        compared("the way from neutral to one limit", sense > 0.0 ? down_rad : -up_rad,
+                 other.lower_rad - other.neutral_rad, kTolerance, "rad"),
+        compared("the way from neutral to one limit", sense > 0.0 ? up_rad : -down_rad,
+                 other.upper_rad - other.neutral_rad, kTolerance, "rad")}) {
+    if (!difference.empty()) return difference;
+  }
+  return "";
 }
 
-bool Mirror::bodiesMatch(const Body& body, const Eigen::Isometry3d& base_from_body,
-                         const Body& other, const Eigen::Isometry3d& base_from_other) const {
-  if (!same(body.mass_kg, other.mass_kg) || body.shapes.size() != other.shapes.size() ||
-      !same(imageOf(base_from_body * body.center_of_mass_m),
-            base_from_other * other.center_of_mass_m) ||
-      !same(imageOfTensor(inFrame(base_from_body.linear(), body.inertia_kg_m2)),
-            inFrame(base_from_other.linear(), other.inertia_kg_m2))) {
-    return false;
+std::string Mirror::bodyDifference(const Body& body, const Eigen::Isometry3d& base_from_body,
+                                   const Body& other,
+                                   const Eigen::Isometry3d& base_from_other) const {
+  const std::string of = " of link " + body.name;
+  if (!same(body.mass_kg, other.mass_kg, kMassTolerance * body.mass_kg)) {
+    return differs("the mass" + of, body.mass_kg, other.mass_kg, "kg");
+  }
+  const Eigen::Vector3d center = imageOf(base_from_body * body.center_of_mass_m);
+  const Eigen::Vector3d twin_center = base_from_other * other.center_of_mass_m;
+  if (!same(center, twin_center, length_tolerance_m_)) {
+    return "the centre of mass" + of + " would be at " + pointText(center) +
+           " m, that of its image is at " + pointText(twin_center) + " m";
+  }
+  if (!same(imageOfTensor(inFrame(base_from_body.linear(), body.inertia_kg_m2)),
+            inFrame(base_from_other.linear(), other.inertia_kg_m2),
+            kInertiaTolerance * body.inertia_kg_m2.cwiseAbs().maxCoeff())) {
+    return "the inertia" + of + " is another than that of its image";
+  }
+  if (body.shapes.size() != other.shapes.size()) {
+    return "the shapes" + of + " are more or fewer than those of its image";
   }
   std::vector<const Shape*> left;
   for (const Shape& shape : other.shapes) left.push_back(&shape);
@@ -131,10 +216,10 @@ bool Mirror::bodiesMatch(const Body& body, const Eigen::Isometry3d& base_from_bo
     const auto match = std::find_if(left.begin(), left.end(), [&](const Shape* candidate) {
       return shapesMatch(shape, base_from_body, *candidate, base_from_other);
     });
-    if (match == left.end()) return false;
+    if (match == left.end()) return "a shape" + of + " has no image";
     left.erase(match);
   }
-  return true;
+  return "";
 }
 
 bool Mirror::shapesMatch(const Shape& shape, const Eigen::Isometry3d& base_from_body,
@@ -142,9 +227,10 @@ bool Mirror::shapesMatch(const Shape& shape, const Eigen::Isometry3d& base_from_
   const Eigen::Isometry3d base_from_shape = base_from_body * shape.body_from_shape;
   const Eigen::Isometry3d base_from_twin = base_from_other * other.body_from_shape;
   const Eigen::Vector3d center = base_from_shape.translation();
-  return shape.kind == other.kind && same(imageOf(center), base_from_twin.translation().eval()) &&
+  return shape.kind == other.kind &&
+         same(imageOf(center), base_from_twin.translation().eval(), length_tolerance_m_) &&
          same(imageOfTensor(inFrame(base_from_shape.linear(), extent(shape))),
-              inFrame(base_from_twin.linear(), extent(other)));
+              inFrame(base_from_twin.linear(), extent(other)), length_tolerance_m_);
 }
 
 }  // namespace hexapod

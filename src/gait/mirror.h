@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "gait/symmetry.h"
@@ -13,16 +14,27 @@ namespace hexapod {
 /// whether the image is the robot again. See symmetriesOf().
 class Mirror {
  public:
-  Mirror(double x_sign, double y_sign) : flip_(x_sign, y_sign, 1.0) {}
+  /// The robot must outlive it.
+  Mirror(const RobotDescription& robot, double x_sign, double y_sign);
 
   /// The image of each leg, or nothing when the image is another robot.
-  std::optional<std::vector<Symmetry::LegImage>> legImages(const RobotDescription& robot) const;
+  std::optional<std::vector<Symmetry::LegImage>> legImages();
+
+  /// After legImages() gave nothing: what has no image, with the first difference found.
+  const std::string& difference() const { return difference_; }
 
  private:
-  std::optional<Symmetry::LegImage> legImage(const Leg& leg, const Leg& other) const;
-  bool jointsMatch(const Joint& joint, const Joint& other, double sense) const;
-  bool bodiesMatch(const Body& body, const Eigen::Isometry3d& base_from_body, const Body& other,
-                   const Eigen::Isometry3d& base_from_other) const;
+  /// A leg's image if `other` is that, or how far along the leg they agree and what differs then.
+  struct Comparison {
+    std::optional<Symmetry::LegImage> image;
+    std::size_t agreeing_parts = 0;
+    std::string difference;
+  };
+
+  Comparison compare(const Leg& leg, const Leg& other) const;
+  std::string jointDifference(const Joint& joint, const Joint& other, double sense) const;
+  std::string bodyDifference(const Body& body, const Eigen::Isometry3d& base_from_body,
+                             const Body& other, const Eigen::Isometry3d& base_from_other) const;
   bool shapesMatch(const Shape& shape, const Eigen::Isometry3d& base_from_body, const Shape& other,
                    const Eigen::Isometry3d& base_from_other) const;
   Eigen::Vector3d imageOf(const Eigen::Vector3d& point) const { return flip_.cwiseProduct(point); }
@@ -30,7 +42,10 @@ class Mirror {
     return flip_.asDiagonal() * tensor * flip_.asDiagonal();
   }
 
+  const RobotDescription& robot_;
   Eigen::Vector3d flip_;
+  double length_tolerance_m_;
+  std::string difference_;
 };
 
 }  // namespace hexapod

@@ -52,10 +52,15 @@ Outcome Symmetry::image(const Outcome& outcome) const {
 std::vector<Symmetry> symmetriesOf(const RobotDescription& robot) {
   std::vector<Symmetry> found;
   for (const auto& [x_sign, y_sign] : {std::pair{1.0, -1.0}, {-1.0, 1.0}, {-1.0, -1.0}}) {
-    const auto legs = Mirror(x_sign, y_sign).legImages(robot);
+    const auto legs = Mirror(robot, x_sign, y_sign).legImages();
     if (legs) found.emplace_back(x_sign, y_sign, *legs);
   }
   return found;
+}
+
+std::string whyNotMirrored(const RobotDescription& robot) {
+  Mirror left_right(robot, 1.0, -1.0);
+  return left_right.legImages() ? "" : left_right.difference();
 }
 
 }  // namespace hexapod

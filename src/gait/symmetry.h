@@ -15,8 +15,8 @@ namespace hexapod {
 /// A way in which the robot is its own image, with what that does to gaits and to where they lead:
 /// a robot that walks the image of a genome ends at the image of the genome's end pose.
 ///
-/// Exact up to rounding in the last bits; Outcome's 1e-5 hide these. Every symmetry is its own
-/// inverse. Immutable; const functions may be called from any thread.
+/// As exact as the robot is; of one that is exact, Outcome's 1e-5 hide what rounding leaves. Every
+/// symmetry is its own inverse. Immutable; const functions may be called from any thread.
 class Symmetry {
  public:
   /// Where a leg's gait goes.
@@ -50,8 +50,12 @@ class Symmetry {
 
 /// The symmetries of a robot, found in its description: left-right, fore-aft and half turn, those
 /// that exist. In the neutral pose, geometry, masses, collision shapes, joint axes, limits, servos
-/// and the gait's signals and amplitudes must map onto each other to 1e-6 of their units. A joint
-/// whose mirrored axis or amplitude has the opposite sign moves half a period later.
+/// and the gait's signals and amplitudes must map onto each other as well as files give them: to a
+/// thousandth of the leg reach and of a radian, a hundredth of masses and torques. A joint whose
+/// mirrored axis or amplitude has the opposite sign moves half a period later.
 std::vector<Symmetry> symmetriesOf(const RobotDescription& robot);
+
+/// Empty when left and right are mirror images, otherwise what is not, and by how much.
+std::string whyNotMirrored(const RobotDescription& robot);
 
 }  // namespace hexapod

@@ -5,25 +5,36 @@
 #include <vector>
 
 #include "common/options.h"
-#include "robot/urdf_bodies.h"
+#include "robot/dimensions.h"
+#include "robot/urdf_hinge.h"
 
 namespace hexapod {
 namespace {
 
-std::string typeName(int type) {
-  switch (type) {
-    case urdf::Joint::CONTINUOUS:
-      return "continuous";
-    case urdf::Joint::PRISMATIC:
-      return "prismatic";
-    case urdf::Joint::FLOATING:
-      return "floating";
-    case urdf::Joint::PLANAR:
-      return "planar";
-    case urdf::Joint::FIXED:
-      return "fixed";
-    default:
-      return "unknown";
+// Gaits may be beyond the limits by what files round away; what is sent is within them.
+constexpr double kRounding_rad = 1e-5;
+
+double forwardYaw_rad(const std::string& axis) {
+  if (axis == "y") return 0.5 * M_PI;
+  if (axis == "-x") return M_PI;
+  return axis == "-y" ? -0.5 * M_PI : 0.0;
+}
+
+// Turns the frame of the base, and so all that is given in it.
+void turnBase(RobotDescription& robot, double link_from_base_yaw_rad) {
+  robot.link_from_base_yaw_rad = link_from_base_yaw_rad;
+  if (link_from_base_yaw_rad == 0.0) return;
+  const Eigen::Isometry3d base_from_link(
+      Eigen::AngleAxisd(-link_from_base_yaw_rad, Eigen::Vector3d::UnitZ()));
+  Body& base = robot.base;
+  base.center_of_mass_m = base_from_link * base.center_of_mass_m;
+  base.inertia_kg_m2 =
+      base_from_link.linear() * base.inertia_kg_m2 * base_from_link.linear().transpose();
+  for (Shape& shape : base.shapes) shape.body_from_shape = base_from_link * shape.body_from_shape;
+  for (Leg& leg : robot.legs) {
+    if (leg.segments.empty()) continue;
+    Joint& hip = leg.segments.front().joint;
+    hip.parent_from_joint = base_from_link * hip.parent_from_joint;
   }
 }
 
@@ -34,34 +45,64 @@ class Assembly {
         config_(sources.config),
         urdf_name_(sources.urdf_name),
         yaml_name_(sources.yaml_name),
-        problems_(problems) {}
+        problems_(problems),
+        findings_{urdf_name_, problems_, remarks_} {}
 
   RobotDescription assemble() {
     RobotDescription robot;
     robot.name = config_.name;
     robot.base_link = config_.base_link;
     robot.servo = config_.servo;
-    robot.contact = config_.contact;
-    robot.failure = config_.failure;
-    const urdf::Link& root = *model_.getRoot();
-    if (root.name != config_.base_link) {
-      problems_.add(yaml_name_, "base_link is " + config_.base_link +
-                                    ", but the root link of the URDF is " + root.name +
-                                    "; expected the same link.");
-    }
-    const LumpedBody base = lumpFixedLinks(root, urdf_name_, problems_);
+    const urdf::LinkConstSharedPtr link = findBase();
+    if (!link) return robot;
+    const LumpedBody base = lumpFixedLinks(*link, findings_);
     robot.base = base.body;
-    if (base.body.shapes.empty()) {
-      problems_.add(urdf_name_, "link " + root.name +
-                                    " and what is fixed to it have no collision shape; expected at "
-                                    "least one, so that a fall is seen.");
+    if (base.body.shapes.empty() && problems_.none()) {
+      problems_.add(urdf_name_, {"link", link->name},
+                    "and what is fixed to it have no collision shape; expected at least one, so "
+                    "that a fall is seen.");
     }
     for (const LegConfig& leg : config_.legs) robot.legs.push_back(assembleLeg(leg, base));
     findUnusedJoints();
+    turnBase(robot, forwardYaw_rad(config_.forward));
+    deriveConstants(robot);
+    robot.remarks = remarks_.sentences();
     return robot;
   }
 
  private:
+  // The base link; above it there may be the world and frames, but nothing with a body.
+  urdf::LinkConstSharedPtr findBase() {
+    const urdf::LinkConstSharedPtr base = model_.getLink(config_.base_link);
+    if (!base) {
+      std::vector<std::string> names;
+      for (const auto& [name, link] : model_.links_) names.push_back(name);
+      const std::string nearest = nearestName(config_.base_link, names);
+      problems_.add(yaml_name_, "base_link is " + config_.base_link + ", which " + urdf_name_ +
+                                    " does not have; " +
+                                    (nearest.empty() ? "its root link is " + model_.getRoot()->name
+                                                     : "did you mean " + nearest) +
+                                    (nearest.empty() ? "." : "?"));
+      return nullptr;
+    }
+    for (auto above = base; above->getParent(); above = above->getParent()) {
+      const urdf::Joint& joint = *above->parent_joint;
+      const urdf::Link& link = *above->getParent();
+      const bool is_frame = !link.inertial && link.collision_array.empty();
+      const bool is_free = joint.type == urdf::Joint::FIXED ||
+                           joint.type == urdf::Joint::FLOATING || joint.type == urdf::Joint::PLANAR;
+      used_joints_.insert(joint.name);
+      if (is_frame && is_free) continue;
+      problems_.add(yaml_name_, "base_link is " + config_.base_link + ", but it hangs on link " +
+                                    link.name + " by joint " + joint.name +
+                                    "; expected the link that carries the legs, below nothing but "
+                                    "frames (the root link of the URDF is " +
+                                    model_.getRoot()->name + ").");
+      return nullptr;
+    }
+    return base;
+  }
+
   Leg assembleLeg(const LegConfig& config, const LumpedBody& base) {
     Leg leg;
     leg.name = config.name;
@@ -74,16 +115,15 @@ class Assembly {
         return leg;
       }
       used_joints_.insert(joint->name);
-      const LumpedBody child =
-          lumpFixedLinks(*model_.getLink(joint->child_link_name), urdf_name_, problems_);
+      const LumpedBody child = lumpFixedLinks(*model_.getLink(joint->child_link_name), findings_);
       leg.segments.push_back({assembleJoint(*joint, joint_config, parent), child.body});
       has_shape = has_shape || !child.body.shapes.empty();
       parent = child;
     }
-    if (!has_shape) {
-      problems_.add(urdf_name_, "leg " + leg.name +
-                                    " has no collision shape in any of its links; expected at "
-                                    "least one to stand on.");
+    if (!has_shape && problems_.none()) {
+      problems_.add(urdf_name_, {"leg", leg.name},
+                    "has no collision shape in any of its links; expected at least one to stand "
+                    "on.");
     }
     return leg;
   }
@@ -97,69 +137,31 @@ class Assembly {
     joint.amplitude_rad = config.amplitude_rad;
     const auto place = parent.body_from_link.find(from.parent_link_name);
     if (place == parent.body_from_link.end()) {
-      addJointProblem(from.name, "hangs on link " + from.parent_link_name +
-                                     ", which is not part of " + parent.body.name +
-                                     "; list a leg's joints in the YAML from the base outwards, "
-                                     "each on the link the one before moves.");
+      problems_.add(urdf_name_, {"joint", from.name},
+                    "hangs on link " + from.parent_link_name + ", which is not part of " +
+                        parent.body.name +
+                        "; list a leg's joints in the YAML from the base outwards, each on the "
+                        "link the one before moves.");
     } else {
       joint.parent_from_joint = place->second * toIsometry(from.parent_to_joint_origin_transform);
     }
-    readHinge(from, joint);
+    readHinge(from, findings_, joint);
+    if (joint.lower_rad < joint.upper_rad) checkGait(joint);
     return joint;
   }
 
-  void readHinge(const urdf::Joint& from, Joint& joint) {
-    if (from.type != urdf::Joint::REVOLUTE) {
-      addJointProblem(from.name, "is " + typeName(from.type) +
-                                     "; expected a revolute joint with limits, as a servo has.");
-      return;
-    }
-    if (from.mimic) {
-      addJointProblem(from.name, "mimics another joint; expected a servo of its own.");
-    }
-    const Eigen::Vector3d axis(from.axis.x, from.axis.y, from.axis.z);
-    if (axis.norm() > 1e-9) {
-      joint.axis = axis.normalized();
-    } else {
-      addJointProblem(from.name, "has a zero axis; expected a direction such as 0 0 1.");
-    }
-    if (!from.limits) {
-      addJointProblem(from.name, "has no <limit>; expected lower, upper, effort and velocity.");
-      return;
-    }
-    joint.lower_rad = from.limits->lower;
-    joint.upper_rad = from.limits->upper;
-    joint.max_torque_nm = from.limits->effort;
-    joint.max_velocity_rad_per_s = from.limits->velocity;
-    checkLimits(joint);
-  }
-
-  void checkLimits(const Joint& joint) {
-    const std::string range =
-        numberText(joint.lower_rad) + " .. " + numberText(joint.upper_rad) + " rad";
-    if (!(joint.lower_rad < joint.upper_rad && joint.lower_rad >= -M_PI &&
-          joint.upper_rad <= M_PI)) {
-      addJointProblem(joint.name,
-                      "has the limits " + range + "; expected lower below upper, in -pi .. pi.");
-      return;
-    }
-    if (!(joint.max_torque_nm > 0.0)) {
-      addJointProblem(joint.name, "has the effort " + numberText(joint.max_torque_nm) +
-                                      " N m; expected more than 0.");
-    }
-    if (!(joint.max_velocity_rad_per_s > 0.0)) {
-      addJointProblem(joint.name, "has the velocity " + numberText(joint.max_velocity_rad_per_s) +
-                                      " rad/s; expected more than 0.");
-    }
+  void checkGait(const Joint& joint) {
     const double reach = std::abs(joint.amplitude_rad);
-    if (joint.neutral_rad - reach < joint.lower_rad ||
-        joint.neutral_rad + reach > joint.upper_rad) {
-      problems_.add(yaml_name_, "joint " + joint.name + " moves between " +
-                                    numberText(joint.neutral_rad - reach) + " and " +
-                                    numberText(joint.neutral_rad + reach) +
-                                    " rad (neutral_rad -+ amplitude_rad), outside its limits " +
-                                    range + "; expected a gait within them.");
+    const double low_rad = joint.neutral_rad - reach;
+    const double high_rad = joint.neutral_rad + reach;
+    if (low_rad >= joint.lower_rad - kRounding_rad && high_rad <= joint.upper_rad + kRounding_rad) {
+      return;
     }
+    problems_.add(yaml_name_, {"joint", joint.name},
+                  "moves between " + numberText(low_rad) + " and " + numberText(high_rad) +
+                      " rad (neutral_rad -+ amplitude_rad), outside its limits " +
+                      numberText(joint.lower_rad) + " .. " + numberText(joint.upper_rad) +
+                      " rad; expected a gait within them.");
   }
 
   void addMissingJoint(const std::string& leg, const std::string& joint) {
@@ -175,13 +177,19 @@ class Assembly {
   void findUnusedJoints() {
     for (const auto& [name, joint] : model_.joints_) {
       if (joint->type == urdf::Joint::FIXED || used_joints_.count(name) > 0) continue;
-      addJointProblem(
-          name, "moves but is in no leg of " + yaml_name_ + "; list it in a leg or make it fixed.");
+      problems_.add(
+          urdf_name_, {"joint", name},
+          "moves but is in no leg of " + yaml_name_ + "; list it in a leg or make it fixed.");
     }
   }
 
-  void addJointProblem(const std::string& joint, const std::string& sentence) {
-    problems_.add(urdf_name_, "joint " + joint + " " + sentence);
+  void deriveConstants(RobotDescription& robot) {
+    robot.contact = config_.contact;
+    robot.failure = config_.failure;
+    if (!problems_.none()) return;
+    if (!config_.has_slip) robot.contact.slip_per_n_s = slipFor(robot);
+    if (!config_.has_soft_cfm) robot.contact.soft_cfm = softCfmFor(robot);
+    if (!config_.has_max_base_height) robot.failure.max_base_height_m = maxBaseHeightFor(robot);
   }
 
   const urdf::ModelInterface& model_;
@@ -189,6 +197,8 @@ class Assembly {
   const std::string& urdf_name_;
   const std::string& yaml_name_;
   Problems& problems_;
+  Problems remarks_;
+  Findings findings_;
   std::set<std::string> used_joints_;
 };
 

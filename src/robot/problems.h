@@ -5,22 +5,45 @@
 
 namespace hexapod {
 
-/// The sentences about everything that is wrong with a robot's files, so that all are told at once.
+/// A part of a robot that a sentence is about: "link", "foot".
+struct Subject {
+  std::string kind;
+  std::string name;
+};
+
+/// The sentences about everything that is wrong with a robot's files, or worth a remark, so that
+/// all are told at once and the same thing about many parts in one sentence.
 class Problems {
  public:
   /// One sentence; `source` is the file it is about. The same sentence is kept once.
   void add(const std::string& source, const std::string& sentence);
 
-  bool none() const { return sentences_.empty(); }
+  /// "link foot " + sentence; the other parts that the same is said of are named in its end.
+  void add(const std::string& source, const Subject& subject, const std::string& sentence);
+
+  bool none() const { return told_.empty(); }
+
+  /// In the order in which they were first told.
+  std::vector<std::string> sentences() const;
 
   /// Throws std::runtime_error with one sentence per line unless there are none().
   void throwIfAny() const;
 
  private:
-  std::vector<std::string> sentences_;
+  struct Told {
+    std::string source;
+    Subject first;  // of kind "" when the sentence is whole
+    std::string sentence;
+    std::vector<std::string> others;  // names of the same kind
+  };
+
+  std::vector<Told> told_;
 };
 
 /// A number for a sentence: 6 significant digits, decimal point in every locale.
 std::string numberText(double value);
+
+/// "a, b and c"; of more than eight the first seven and how many more there are.
+std::string namesText(const std::vector<std::string>& names);
 
 }  // namespace hexapod

@@ -1,5 +1,6 @@
 #include "robot/robot_config.h"
 
+#include <array>
 #include <cmath>
 #include <set>
 
@@ -89,25 +90,40 @@ Servo readServo(YamlSection section) {
   return servo;
 }
 
-Contact readContact(YamlSection section) {
-  Contact contact;
+// Reads `value` if the key is there, and tells whether it is.
+bool readIfThere(YamlSection& section, const std::string& key, const std::array<double, 2>& range,
+                 const std::string& unit, double& value) {
+  if (!section.has(key)) return false;
+  value = section.number(key, range[0], range[1], unit);
+  return true;
+}
+
+void readContact(YamlSection section, RobotConfig& config) {
+  Contact& contact = config.contact;
   contact.friction = section.number("friction", 0.0, 10.0, "");
-  contact.slip_per_n_s = section.number("slip_per_n_s", 0.0, 10.0, "m/(N s)");
+  config.has_slip =
+      readIfThere(section, "slip_per_n_s", {0.0, 10.0}, "m/(N s)", contact.slip_per_n_s);
   contact.soft_erp = section.number("soft_erp", 0.0, 1.0, "");
-  contact.soft_cfm = section.number("soft_cfm", 0.0, 1.0, "m/(N s)");
+  config.has_soft_cfm = readIfThere(section, "soft_cfm", {0.0, 1.0}, "m/(N s)", contact.soft_cfm);
   contact.max_correcting_velocity_m_per_s =
       section.number("max_correcting_velocity_m_per_s", 0.001, 1e6, "m/s");
   contact.joint_erp = section.number("joint_erp", 0.0, 1.0, "");
   contact.joint_cfm = section.number("joint_cfm", 0.0, 1.0, "");
   section.finish();
-  return contact;
 }
 
-FailureRules readFailure(YamlSection section) {
-  FailureRules failure;
-  failure.max_base_height_m = section.number("max_base_height_m", 0.01, 100.0, "m");
+void readFailure(YamlSection section, RobotConfig& config) {
+  config.has_max_base_height = readIfThere(section, "max_base_height_m", {0.01, 100.0}, "m",
+                                           config.failure.max_base_height_m);
   section.finish();
-  return failure;
+}
+
+std::string readForward(YamlSection& root) {
+  if (!root.has("forward")) return "x";
+  const std::string axis = root.text("forward");
+  if (axis == "x" || axis == "y" || axis == "-x" || axis == "-y") return axis;
+  root.addProblem("forward", "is \"" + axis + "\"; expected x, y, -x or -y.");
+  return "x";
 }
 
 }  // namespace
@@ -120,10 +136,11 @@ RobotConfig parseRobotConfig(const std::string& text, const std::string& source,
     YamlSection root(YAML::Load(text), "", source, problems);
     config.name = root.text("name");
     config.base_link = root.text("base_link");
+    config.forward = readForward(root);
     config.legs = readLegs(root, Reading{source, &problems});
     config.servo = readServo(root.section("servo"));
-    config.contact = readContact(root.section("contact"));
-    config.failure = readFailure(root.section("failure"));
+    readContact(root.section("contact"), config);
+    readFailure(root.section("failure"), config);
     root.finish();
   } catch (const YAML::Exception& error) {
     problems.add(source, "line " + std::to_string(error.mark.line + 1) +

@@ -21,14 +21,19 @@ struct LegConfig {
   std::vector<JointConfig> joints;  ///< from the base outwards
 };
 
-/// What the YAML adds to the URDF; config/hexapod.yaml explains the keys.
+/// What the YAML adds to the URDF; config/hexapod.yaml explains the keys. What is not there is
+/// derived from the robot (dimensions.h).
 struct RobotConfig {
   std::string name;
   std::string base_link;
+  std::string forward = "x";    ///< axis of the base link that points forward: x, y, -x or -y
   std::vector<LegConfig> legs;  ///< in genome order
   Servo servo;
   Contact contact;
   FailureRules failure;
+  bool has_slip = false;
+  bool has_soft_cfm = false;
+  bool has_max_base_height = false;
 };
 
 /// Reads the YAML strictly. Everything wrong is added to `problems`; the result is then incomplete.

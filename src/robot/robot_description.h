@@ -84,13 +84,18 @@ struct FailureRules {
 /// outwards: index = first joint of the leg + segment.
 struct RobotDescription {
   std::string name;
-  std::string base_link;  ///< name of the URDF's root link; the frame of `base`
+  std::string base_link;  ///< name of the URDF's link that carries the legs
   Body base;
   std::vector<Leg> legs;
   Servo servo;
   Contact contact;
   FailureRules failure;
+  /// The frame of `base` and of all that hangs on it is that of the root link turned about z by
+  /// this, so that x is forward [rad].
+  double link_from_base_yaw_rad = 0.0;
   std::string digest;  ///< robot id: hexadecimal digest over everything above
+  /// What the files say and was taken otherwise, a sentence each, for the user.
+  std::vector<std::string> remarks;
 
   std::size_t jointCount() const;
   std::vector<std::string> jointNames() const;

@@ -4,9 +4,11 @@
 #include <urdf_parser/urdf_parser.h>
 
 #include <Eigen/Eigenvalues>
+#include <utility>
 #include <vector>
 
 #include "robot/check_source.h"
+#include "robot/dimensions.h"
 
 namespace hexapod {
 namespace {
@@ -42,22 +44,18 @@ struct MassPart {
   Eigen::Matrix3d inertia_kg_m2;  // about center_m, body axes
 };
 
-// Eigenvalues of a solid's inertia are positive, and none is larger than the other two together.
-bool isPossibleInertia(const Eigen::Matrix3d& inertia) {
-  if (!inertia.allFinite()) return false;
-  const Eigen::Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
-  return moments[0] > 0.0 && moments[2] <= (moments[0] + moments[1]) * (1.0 + 1e-6);
-}
+// Bars across a disc: so many that its rim is touched where it comes down, few enough to be fast.
+constexpr int kBarsOfDisc = 3;
 
 class Lumper {
  public:
-  Lumper(const std::string& source, Problems& problems) : source_(source), problems_(problems) {}
+  Lumper(const Findings& findings, TakeMesh take) : findings_(findings), take_(std::move(take)) {}
 
   LumpedBody lump(const urdf::Link& link) {
     lumped_.body.name = link.name;
     addLink(link, Eigen::Isometry3d::Identity());
     combineMasses();
+    if (sound_) judgeBody();
     return lumped_;
   }
 
@@ -83,19 +81,19 @@ class Lumper {
     inertia << inertial.ixx, inertial.ixy, inertial.ixz,  //
         inertial.ixy, inertial.iyy, inertial.iyz,         //
         inertial.ixz, inertial.iyz, inertial.izz;
-    if (!(inertial.mass > 0.0)) {
-      addProblem(link.name, "has mass " + numberText(inertial.mass) +
-                                " kg; expected more than 0, or no <inertial> at all.");
-    } else if (!isPossibleInertia(inertia)) {
+    if (!(inertial.mass >= 0.0) || !inertia.allFinite()) {
       addProblem(link.name,
-                 "has an impossible inertia; expected positive principal moments, none of them "
-                 "larger than the sum of the other two. Check ixx .. izz [kg m^2].");
-    } else {
-      const Eigen::Isometry3d body_from_inertial = body_from_link * toIsometry(inertial.origin);
-      const Eigen::Matrix3d rotation = body_from_inertial.linear();
-      masses_.push_back({inertial.mass, body_from_inertial.translation(),
-                         rotation * inertia * rotation.transpose()});
+                 inertial.mass >= 0.0
+                     ? "has an inertia that is not finite; expected numbers."
+                     : "has mass " + numberText(inertial.mass) + " kg; expected 0 or more.");
+      sound_ = false;
+      return;
     }
+    if (inertial.mass == 0.0) return;  // a frame
+    const Eigen::Isometry3d body_from_inertial = body_from_link * toIsometry(inertial.origin);
+    const Eigen::Matrix3d rotation = body_from_inertial.linear();
+    masses_.push_back({inertial.mass, body_from_inertial.translation(),
+                       rotation * inertia * rotation.transpose()});
   }
 
   void addShape(const std::string& link, const urdf::Collision& collision,
@@ -110,11 +108,32 @@ class Lumper {
       problem = fillSphere(*sphere, shape);
     } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(geometry)) {
       problem = fillCapsule(*cylinder, shape);
+      if (problem.empty() && shape.length_m <= 0.0) return addDisc(link, *cylinder, shape);
     } else {
-      problem = "is a mesh or nothing; expected a box, a sphere or a cylinder";
+      problem =
+          "is a mesh or nothing; expected a box, a sphere or a cylinder (import_robot makes "
+          "such shapes of meshes)";
     }
     if (problem.empty()) lumped_.body.shapes.push_back(shape);
     if (!problem.empty()) addProblem(link, "has a collision shape that " + problem + ".");
+  }
+
+  // Bars: capsules as thick as the disc, from rim to rim.
+  void addDisc(const std::string& link, const urdf::Cylinder& cylinder, Shape shape) {
+    const Eigen::Isometry3d body_from_disc = shape.body_from_shape;
+    shape.radius_m = 0.5 * cylinder.length;
+    shape.length_m = 2.0 * cylinder.radius - cylinder.length;
+    shape.kind = shape.length_m > 0.0 ? Shape::Kind::kCapsule : Shape::Kind::kSphere;
+    const int bars = shape.kind == Shape::Kind::kSphere ? 1 : kBarsOfDisc;
+    for (int bar = 0; bar < bars; ++bar) {
+      shape.body_from_shape = body_from_disc *
+                              Eigen::AngleAxisd(bar * M_PI / bars, Eigen::Vector3d::UnitZ()) *
+                              Eigen::AngleAxisd(0.5 * M_PI, Eigen::Vector3d::UnitY());
+      lumped_.body.shapes.push_back(shape);
+    }
+    findings_.remarks.add(findings_.source, {"link", link},
+                          "has a cylinder no longer than its diameter: simulated as bars across it "
+                          "as thick as it is long.");
   }
 
   static std::string fillBox(const urdf::Box& box, Shape& shape) {
@@ -135,11 +154,9 @@ class Lumper {
     shape.kind = Shape::Kind::kCapsule;
     shape.radius_m = cylinder.radius;
     shape.length_m = cylinder.length - 2.0 * cylinder.radius;
-    if (cylinder.radius > 0.0 && shape.length_m > 0.0) return "";
+    if (cylinder.radius > 0.0 && cylinder.length > 0.0) return "";
     return "is a cylinder of radius " + numberText(cylinder.radius) + " m and length " +
-           numberText(cylinder.length) +
-           " m; it is simulated as a capsule and must be longer than its diameter (use a sphere or "
-           "a box otherwise)";
+           numberText(cylinder.length) + " m; expected both above 0 m";
   }
 
   // Parallel axes: each part turns about the common centre of mass.
@@ -150,9 +167,13 @@ class Lumper {
       body.center_of_mass_m += part.mass_kg * part.center_m;
     }
     if (masses_.empty()) {
-      addProblem(body.name,
-                 "and what is fixed to it have no mass; expected an <inertial> with mass and "
-                 "inertia in at least one of these links.");
+      // What has been rejected has been told.
+      if (sound_) {
+        addProblem(body.name,
+                   "and what is fixed to it have no mass; expected an <inertial> with mass and "
+                   "inertia in at least one of these links (import_robot makes one of shapes).");
+      }
+      sound_ = false;
       return;
     }
     body.center_of_mass_m /= body.mass_kg;
@@ -164,12 +185,28 @@ class Lumper {
     }
   }
 
-  void addProblem(const std::string& link, const std::string& sentence) {
-    problems_.add(source_, "link " + link + " " + sentence);
+  void judgeBody() {
+    const Body& body = lumped_.body;
+    if (!isPossibleInertia(body.inertia_kg_m2)) {
+      addProblem(body.name,
+                 "has, with what is fixed to it, an impossible inertia; expected positive "
+                 "principal moments, none of them larger than the sum of the other two. Check ixx "
+                 ".. izz [kg m^2], or let import_robot replace them.");
+    } else if (isAbsurdInertia(body)) {
+      findings_.remarks.add(
+          findings_.source, {"link", body.name},
+          "has an inertia that its mass could only have far outside of its collision shapes; it "
+          "will move as if it were that large. import_robot replaces it.");
+    }
   }
 
-  const std::string& source_;
-  Problems& problems_;
+  void addProblem(const std::string& link, const std::string& sentence) {
+    findings_.problems.add(findings_.source, {"link", link}, sentence);
+  }
+
+  const Findings& findings_;
+  TakeMesh take_;
+  bool sound_ = true;  // nothing was rejected
   LumpedBody lumped_;
   std::vector<MassPart> masses_;
 };
@@ -179,6 +216,11 @@ class Lumper {
 urdf::ModelInterfaceSharedPtr parseUrdf(const std::string& text, const std::string& source,
                                         Problems& problems) {
   if (!isReadable(text, source, "URDF", problems)) return nullptr;
+  if (text.find("<xacro:") != std::string::npos) {
+    problems.add(source, "is xacro, not URDF; expand it (xacro " + source +
+                             " > robot.urdf), or let import_robot do so.");
+    return nullptr;
+  }
   urdf::ModelInterfaceSharedPtr model;
   std::vector<std::string> errors;
   {
@@ -198,6 +240,15 @@ urdf::ModelInterfaceSharedPtr parseUrdf(const std::string& text, const std::stri
   return errors.empty() ? model : nullptr;
 }
 
+// Eigenvalues of a solid's inertia are positive, and none is larger than the other two together.
+bool isPossibleInertia(const Eigen::Matrix3d& inertia) {
+  constexpr double kRounding = 0.05;
+  if (!inertia.allFinite()) return false;
+  const Eigen::Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(inertia, Eigen::EigenvaluesOnly).eigenvalues();
+  return moments[0] > 0.0 && moments[2] <= (moments[0] + moments[1]) * (1.0 + kRounding);
+}
+
 Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {
   const urdf::Rotation& q = pose.rotation;
   Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
@@ -206,8 +257,12 @@ Eigen::Isometry3d toIsometry(const urdf::Pose& pose) {
   return isometry;
 }
 
-LumpedBody lumpFixedLinks(const urdf::Link& link, const std::string& source, Problems& problems) {
-  return Lumper(source, problems).lump(link);
+LumpedBody lumpFixedLinks(const urdf::Link& link, const Findings& findings) {
+  return Lumper(findings, nullptr).lump(link);
+}
+
+LumpedBody lumpFixedLinks(const urdf::Link& link, const Findings& findings, const TakeMesh& take) {
+  return Lumper(findings, take).lump(link);
 }
 
 }  // namespace hexapod

@@ -43,8 +43,9 @@ int learn(const EvolveOptions& options, SignalWatch& signals, Ranks& ranks) {
   // mpirun gives its processes terminals of their own, whatever its output is.
   if (ranks.count() > 1) display_options.is_terminal = false;
   ProgressDisplay display(std::cout, display_options);
-  LearningSession session(loadRobot(options.urdf, options.robot_config), options.learn, now,
-                          ranks.workers());
+  const RobotDescription robot = loadRobot(options.urdf, options.robot_config);
+  for (const std::string& remark : robot.remarks) display.say(remark);
+  LearningSession session(robot, options.learn, now, ranks.workers());
   signals.start([&session] { session.requestStop(); });
   display.say("Learning run " + session.repertoire().run_id + " into " +
               options.learn.repertoire_file + ".");

@@ -160,5 +160,25 @@ const Defect kDefects[] = {
 INSTANTIATE_TEST_SUITE_P(Defects, Asymmetry, testing::ValuesIn(kDefects),
                          [](const auto& info) { return info.param.name; });
 
+TEST(Symmetry, IsFoundInRobotsWhoseFilesRoundAngles) {
+  RobotDescription robot = fourOars();
+  // 2.3516 instead of 2.35158 rad.
+  robot.legs[2].segments[0].joint.parent_from_joint.rotate(
+      Eigen::AngleAxisd(2e-5, Eigen::Vector3d::UnitX()));
+  EXPECT_EQ(symmetriesOf(robot).size(), 3u);
+  EXPECT_EQ(whyNotMirrored(robot), "");
+}
+
+TEST(Symmetry, TellsWhatIsNoMirrorImage) {
+  RobotDescription robot = fourOars();
+  robot.legs[0].name = "left_front";
+  robot.legs[0].segments[0].joint.name = "shoulder";
+  robot.legs[0].segments[0].joint.upper_rad = 1.1;
+  EXPECT_TRUE(namesOf(symmetriesOf(robot)) == Names{});
+  EXPECT_EQ(whyNotMirrored(robot),
+            "leg left_front has no image: the way from neutral to one limit of joint shoulder is "
+            "-1.1 rad, that of its image -1 rad");
+}
+
 }  // namespace
 }  // namespace hexapod

@@ -40,8 +40,11 @@ std::string collision(const std::string& geometry) {
 
 TEST(ImpossibleRobot, LinkThatCannotExistIsNamed) {
   const std::vector<Case> cases = {
-      {kUrdf, kCoxaMass, "<mass value=\"0\"/>", {"link leg_0_1 has mass 0 kg", "more than 0"}},
-      {kUrdf, kCoxaMass, "<mass value=\"-1\"/>", {"link leg_0_1 has mass -1 kg"}},
+      {kUrdf, kCoxaMass, "<mass value=\"0\"/>", {"link leg_0_1 and what is fixed", "no mass"}},
+      {kUrdf,
+       kCoxaMass,
+       "<mass value=\"-1\"/>",
+       {"link leg_0_1 has mass -1 kg; expected 0 or more."}},
       {kUrdf, kCoxaMass, "<mass value=\"nan\"/>", {"leg_0_1"}},
       {kUrdf, kCoxaMass, "<mass value=\"1e999\"/>", {"leg_0_1"}},
       {kUrdf, kCoxaMass, "<mass value=\"0,02\"/>", {"leg_0_1"}},
@@ -58,8 +61,8 @@ TEST(ImpossibleRobot, LinkThatCannotExistIsNamed) {
        {"link leg_0_1", "radius -0.02 m"}},
       {kUrdf,
        kCylinder,
-       collision("<cylinder radius='0.02' length='0.03'/>"),
-       {"link leg_0_1", "longer than its diameter"}},
+       collision("<cylinder radius='0.02' length='0'/>"),
+       {"link leg_0_1", "length 0 m; expected both above 0 m"}},
       {kUrdf, kCylinder, collision("<sphere radius='0'/>"), {"link leg_0_1", "sphere of radius 0"}},
       {kUrdf,
        kCylinder,
@@ -84,10 +87,6 @@ TEST(ImpossibleRobot, JointThatIsNoServoIsNamed) {
   const std::vector<Case> cases = {
       {kUrdf,
        "body_leg_0\" type=\"revolute",
-       "body_leg_0\" type=\"continuous",
-       {"joint body_leg_0 is continuous", "revolute joint with limits"}},
-      {kUrdf,
-       "body_leg_0\" type=\"revolute",
        "body_leg_0\" type=\"prismatic",
        {"joint body_leg_0 is prismatic"}},
       {kUrdf,
@@ -100,15 +99,18 @@ TEST(ImpossibleRobot, JointThatIsNoServoIsNamed) {
        "base_body\" type=\"floating",
        {"joint base_body moves but is in no leg"}},
       {kUrdf, kLimit, "", {"body_leg_0", "limit"}},
-      {kUrdf, kLimit, "<limit effort='1' velocity='1'/>", {"body_leg_0", "0 .. 0 rad"}},
+      {kUrdf,
+       kLimit,
+       "<limit effort='1' velocity='1'/>",
+       {"joint body_leg_0 has no lower and upper"}},
       {kUrdf,
        kLimit,
        "<limit lower='1' upper='-1' effort='1' velocity='1'/>",
        {"joint body_leg_0", "1 .. -1 rad", "lower below upper"}},
       {kUrdf,
        kLimit,
-       "<limit lower='-4' upper='4' effort='1' velocity='1'/>",
-       {"joint body_leg_0", "-4 .. 4 rad", "-pi .. pi"}},
+       "<limit lower='4' upper='5' effort='1' velocity='1'/>",
+       {"joint body_leg_0", "4 .. 5 rad", "-pi .. pi"}},
       {kUrdf,
        kLimit,
        "<limit lower='-1' upper='1' effort='0' velocity='1'/>",
@@ -142,11 +144,12 @@ TEST(ImpossibleRobot, GaitOutsideTheLimitsIsNamed) {
       {kYaml,
        "neutral_rad: 0.0, amplitude_rad: 0.7",
        "neutral_rad: 1.6, amplitude_rad: 0.7",
-       {"joint leg_0_1_2 moves between 0.814602 and 2.3854 rad", "joint leg_5_1_2"}},
+       {"joint leg_0_1_2 moves between 0.814602 and 2.3854 rad",
+        "The same is true of joints leg_1_1_2, leg_2_1_2, leg_3_1_2, leg_4_1_2 and leg_5_1_2."}},
       {kYaml,
        "amplitude_rad: -0.7853981633974483",
        "amplitude_rad: -1.6",
-       {"joint leg_0_2_3 moves between -1.6 and 1.6 rad", "joint leg_5_2_3"}},
+       {"joint leg_0_2_3 moves between -1.6 and 1.6 rad", "leg_5_2_3"}},
   };
   for (const Case& c : cases) expectComplaint(c);
 }
@@ -170,12 +173,18 @@ TEST(ImpossibleRobot, LegsThatDoNotMatchTheUrdfAreNamed) {
       {kYaml, left_rear, "[body_leg_0, leg_0_1_2, [leg_0_2_3]]", {"legs[0].joints[2]"}},
       {kYaml,
        "base_link: base_link",
-       "base_link: body",
-       {"base_link is body", "root link of the URDF is base_link"}},
+       "base_link: bodi",
+       {"base_link is bodi, which r.urdf does not have; did you mean body?"}},
+      {kYaml,
+       "base_link: base_link",
+       "base_link: leg_0_1",
+       {"base_link is leg_0_1, but it hangs on link body by joint body_leg_0",
+        "the root link of the URDF is base_link"}},
+      {kYaml, "base_link: base_link", "base_link: base_link\nforward: z", {"forward is \"z\""}},
       {kYaml,
        "  - name: right_rear\n    joints: [body_leg_5, leg_5_1_2, leg_5_2_3]\n",
        "",
-       {"joint body_leg_5 moves but is in no leg of r.yaml", "joint leg_5_2_3 moves"}},
+       {"joint body_leg_5 moves but is in no leg of r.yaml", "joints leg_5_1_2 and leg_5_2_3"}},
       {kYaml, "name: left_rear", "name: left_middle", {"left_middle a second time"}},
   };
   for (const Case& c : cases) expectComplaint(c);
@@ -187,7 +196,7 @@ TEST(ImpossibleRobot, KeyThatIsWrongIsNamedWithItsLine) {
        "gain_per_s:",
        "gian_per_s:",
        {"servo.gain_per_s is missing", "servo.gian_per_s is not a known key",
-        "did you mean gain_per_s?", "r.yaml: line 43: "}},
+        "did you mean gain_per_s?", "r.yaml: line 45: "}},
       {kYaml,
        "friction: 0.9",
        "friction: 0.9\n  frixion: 1.0",
@@ -215,6 +224,18 @@ TEST(ImpossibleRobot, KeyThatIsWrongIsNamedWithItsLine) {
       {kYaml, "legs:", "legs: {}\nlags:", {"legs should be a list", "did you mean legs?"}},
   };
   for (const Case& c : cases) expectComplaint(c);
+}
+
+TEST(ImpossibleRobot, XacroIsToldFromUrdf) {
+  const std::string urdf = "<robot xmlns:xacro='http://ros.org/wiki/xacro'><xacro:leg/></robot>";
+  EXPECT_NE(complaint(urdf, contentOf(kYamlFile)).find("r.urdf: is xacro, not URDF"),
+            std::string::npos);
+}
+
+TEST(ImpossibleRobot, OneFaultIsToldOnceAndWithoutItsConsequences) {
+  const std::string urdf = replaced(contentOf(kUrdfFile), kCoxaMass, "<mass value=\"-1\"/>");
+  EXPECT_EQ(complaint(urdf, contentOf(kYamlFile)),
+            "r.urdf: link leg_0_1 has mass -1 kg; expected 0 or more.");
 }
 
 TEST(ImpossibleRobot, EveryProblemIsToldAtOnce) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "robot/dimensions.h"
 #include "shipped_files.h"
 
 namespace hexapod {
@@ -74,6 +75,17 @@ TEST(ShippedRobot, HasTheMassesOfTheRobotOf2013) {
     EXPECT_DOUBLE_EQ(leg.segments[1].body.mass_kg, 0.180);
     EXPECT_DOUBLE_EQ(leg.segments[2].body.mass_kg, 0.060);
   }
+}
+
+TEST(ShippedRobot, IsTheMeasureOfOtherRobots) {
+  const RobotDescription robot = shipped();
+  EXPECT_EQ(lengthScale(robot), 1.0);
+  EXPECT_NEAR(legReach_m(robot), 0.06 + 0.085 + 0.145, 1e-12);
+  EXPECT_NEAR(totalMass_kg(robot), 3.06, 1e-12);
+  EXPECT_NEAR(slipFor(robot), robot.contact.slip_per_n_s, 1e-15);
+  EXPECT_NEAR(softCfmFor(robot), robot.contact.soft_cfm, 1e-15);
+  EXPECT_NEAR(maxBaseHeightFor(robot), robot.failure.max_base_height_m, 1e-12);
+  EXPECT_TRUE(robot.remarks.empty());
 }
 
 TEST(ShippedRobot, StandsOnFeetBesideItsHips) {

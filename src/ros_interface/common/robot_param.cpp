@@ -1,5 +1,7 @@
 #include "ros_interface/common/robot_param.h"
 
+#include <ros/console.h>
+
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -31,7 +33,9 @@ RobotDescription robotFromParams(const ros::NodeHandle& node, const std::string&
                                 " cannot be read; ~robot_config expects the robot's YAML file.");
   }
   try {
-    return parseRobot(urdf, yaml.str(), name, path);
+    RobotDescription robot = parseRobot(urdf, yaml.str(), name, path);
+    for (const std::string& remark : robot.remarks) ROS_WARN_STREAM(remark);
+    return robot;
   } catch (const std::runtime_error& error) {
     throw std::invalid_argument(error.what());
   }

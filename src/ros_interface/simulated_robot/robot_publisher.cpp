@@ -49,7 +49,8 @@ geometry_msgs::TransformStamped toMsg(const Eigen::Isometry3d& transform, const 
 
 RobotPublisher::RobotPublisher(ros::NodeHandle& node, const RobotDescription& robot,
                                bool publish_clock)
-    : base_link_(robot.base_link) {
+    : base_link_(robot.base_link),
+      base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())) {
   joints_.name = robot.jointNames();
   odometry_.header.frame_id = names::kOdomFrame;
   odometry_.child_frame_id = names::kFootprintFrame;
@@ -104,7 +105,7 @@ void RobotPublisher::publishTransforms(const Eigen::Isometry3d& world_from_base,
   const Eigen::Isometry3d footprint_from_base = odom_from_footprint.inverse() * world_from_base;
   transforms_.sendTransform(
       {toMsg(odom_from_footprint, names::kOdomFrame, names::kFootprintFrame, stamp),
-       toMsg(footprint_from_base, names::kFootprintFrame, base_link_, stamp)});
+       toMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_, stamp)});
 }
 
 }  // namespace hexapod

@@ -37,6 +37,7 @@ class RobotPublisher {
                          const ros::Time& stamp);
 
   std::string base_link_;
+  Eigen::Isometry3d base_from_link_;  // they differ where forward is not x of the link
   sensor_msgs::JointState joints_;
   nav_msgs::Odometry odometry_;
   std::optional<Footing> last_;
