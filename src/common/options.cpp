@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
-#include <iomanip>
-#include <locale>
 #include <sstream>
 #include <stdexcept>
+
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
@@ -20,34 +20,10 @@ struct Overloaded : Visitors... {
 template <typename... Visitors>
 Overloaded(Visitors...) -> Overloaded<Visitors...>;
 
-// Shortest text that reads back as the same double.
-std::string numberText(double value) {
-  std::string shortest;
-  for (int digits = 6; digits <= 17; ++digits) {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << std::setprecision(digits) << value;
-    shortest = text.str();
-    std::istringstream back(shortest);
-    back.imbue(std::locale::classic());
-    double read = 0.0;
-    if (back >> read && read == value) break;
-  }
-  return shortest;
-}
-
-template <typename Number>
-bool readWhole(const std::string& text, Number& number) {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  stream >> number;
-  return !stream.fail() && stream.eof();
-}
-
 std::string valueText(const OptionValue& value) {
   return std::visit(Overloaded{[](bool v) { return std::string(v ? "true" : "false"); },
                                [](std::int64_t v) { return std::to_string(v); },
-                               [](double v) { return numberText(v); },
+                               [](double v) { return exactText(v); },
                                [](const std::string& v) { return "the text '" + v + "'"; }},
                     value);
 }
@@ -79,12 +55,12 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 std::string assign(const Option& option, const OptionValue& value, bool store) {
   const auto wrongType = [&] {
     std::string sentence = "expected " + expectedType(option) + ", found " + valueText(value);
-    double number = 0.0;
     const auto* text = std::get_if<std::string>(&value);
-    if (text && !std::get_if<std::string*>(&option.target) && readWhole(*text, number)) {
+    const auto number = text ? doubleFromText(*text) : std::nullopt;
+    if (number && !std::get_if<std::string*>(&option.target)) {
       sentence +=
           " (YAML reads a number in quotes, or with an exponent but no dot, as text: write " +
-          numberText(number) + ")";
+          exactText(*number) + ")";
     }
     return sentence;
   };
@@ -141,7 +117,7 @@ std::string Option::text() const {
   return std::visit(
       Overloaded{[](bool* v) { return std::string(*v ? "true" : "false"); },
                  [](std::int64_t* v) { return std::to_string(*v); },
-                 [](double* v) { return numberText(*v); }, [](std::string* v) { return *v; }},
+                 [](double* v) { return exactText(*v); }, [](std::string* v) { return *v; }},
       target);
 }
 
@@ -153,7 +129,7 @@ std::string Option::range() const {
     for (const std::string& choice : choices) all += (all.empty() ? "" : " or ") + choice;
     return all;
   }
-  return numberText(min) + " .. " + numberText(max) + (unit.empty() ? "" : " " + unit);
+  return exactText(min) + " .. " + exactText(max) + (unit.empty() ? "" : " " + unit);
 }
 
 Option option(const std::string& name, bool& target, const std::string& meaning) {
@@ -204,52 +180,56 @@ void applyOptions(const std::vector<Option>& options,
 OptionValue optionValueFromText(const std::string& text) {
   if (text == "true" || text == "True") return true;
   if (text == "false" || text == "False") return false;
-  std::int64_t whole = 0;
-  if (readWhole(text, whole)) return whole;
-  double real = 0.0;
+  if (const auto whole = integerFromText(text)) return *whole;
   // As in YAML 1.1, and so on the parameter server: a number without a dot is a whole number or
   // text.
-  if (text.find('.') != std::string::npos && readWhole(text, real)) return real;
-  return text;
+  const auto real = text.find('.') != std::string::npos ? doubleFromText(text) : std::nullopt;
+  return real ? OptionValue(*real) : OptionValue(text);
 }
 
 std::map<std::string, OptionValue> optionValuesFromYaml(const std::string& file) {
   std::ifstream stream(file);
-  if (!stream) {
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream.is_open() || text.bad()) {
     throw std::runtime_error(file + ": cannot be read; give the path of an existing YAML file.");
   }
+  return optionValuesFromYamlText(text.str(), file);
+}
+
+std::map<std::string, OptionValue> optionValuesFromYamlText(const std::string& text,
+                                                            const std::string& source) {
   std::map<std::string, OptionValue> values;
   try {
-    const YAML::Node root = YAML::Load(stream);
+    const YAML::Node root = YAML::Load(text);
     if (root.IsNull()) return values;
-    if (!root.IsMap()) throw std::runtime_error(file + ": expected lines 'key: value'.");
+    if (!root.IsMap()) throw std::runtime_error(source + ": expected lines 'key: value'.");
     for (const auto& pair : root) {
       const std::string key = pair.first.as<std::string>();
       if (!pair.second.IsScalar()) {
-        throw std::runtime_error(file + ": line " + std::to_string(pair.second.Mark().line + 1) +
+        throw std::runtime_error(source + ": line " + std::to_string(pair.second.Mark().line + 1) +
                                  ": '" + key + "' expects a single value.");
       }
       const bool quoted = pair.second.Tag() == "!";
-      const std::string text = pair.second.Scalar();
-      if (!values.emplace(key, quoted ? OptionValue(text) : optionValueFromText(text)).second) {
-        throw std::runtime_error(file + ": '" + key + "' stands there twice; keep one.");
+      const std::string scalar = pair.second.Scalar();
+      if (!values.emplace(key, quoted ? OptionValue(scalar) : optionValueFromText(scalar)).second) {
+        throw std::runtime_error(source + ": '" + key + "' stands there twice; keep one.");
       }
     }
   } catch (const YAML::Exception& error) {
-    throw std::runtime_error(file + ": line " + std::to_string(error.mark.line + 1) +
+    throw std::runtime_error(source + ": line " + std::to_string(error.mark.line + 1) +
                              ": not YAML: " + error.msg + ".");
   }
   return values;
 }
 
 std::string describeOptions(const std::vector<Option>& options) {
-  std::ostringstream table;
-  table << "| option | default | range | meaning |\n|---|---|---|---|\n";
+  std::string table = "| option | default | range | meaning |\n|---|---|---|---|\n";
   for (const Option& option : options) {
-    table << "| `" << option.name << "` | " << (option.text().empty() ? "\"\"" : option.text())
-          << " | " << option.range() << " | " << option.meaning << " |\n";
+    table += "| `" + option.name + "` | " + (option.text().empty() ? "\"\"" : option.text()) +
+             " | " + option.range() + " | " + option.meaning + " |\n";
   }
-  return table.str();
+  return table;
 }
 
 }  // namespace hexapod

@@ -48,8 +48,12 @@ Option option(const std::string& name, double& target, const std::string& unit,
 void applyOptions(const std::vector<Option>& options,
                   const std::map<std::string, OptionValue>& values, const std::string& source);
 
-/// Flat map of a YAML text or file: key: scalar. Throws std::runtime_error naming file and line.
+/// Flat map of a YAML file: key: scalar. Throws std::runtime_error naming file and line.
 std::map<std::string, OptionValue> optionValuesFromYaml(const std::string& file);
+
+/// The same from a text; `source` stands for the file in messages.
+std::map<std::string, OptionValue> optionValuesFromYamlText(const std::string& text,
+                                                            const std::string& source);
 
 /// A scalar as YAML 1.1 and roscpp type it: 3 integer, 3.0 and 1.0e-2 double, true/false bool, else
 /// text.

@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "common/random.h"
+#include "common/text.h"
 #include "evaluation/robust_worlds.h"
-#include "repertoire/number_text.h"
 #include "simulation/rollout.h"
 
 namespace hexapod {
@@ -97,10 +97,10 @@ std::map<std::string, std::string> factsOf(const std::vector<TrialResult>& resul
   std::map<std::string, std::string> facts;
   for (const TrialResult& result : results) {
     const std::string prefix = "resimulated." + result.name + ".";
-    facts[prefix + "sparseness_m"] = toText(result.metrics.sparseness_m);
+    facts[prefix + "sparseness_m"] = exactText(result.metrics.sparseness_m);
     facts[prefix + "median_orientation_error_rad"] =
-        toText(result.metrics.median_error_in_region_rad);
-    facts[prefix + "median_shift_m"] = toText(result.median_shift_m);
+        exactText(result.metrics.median_error_in_region_rad);
+    facts[prefix + "median_shift_m"] = exactText(result.median_shift_m);
     facts[prefix + "failed"] = std::to_string(result.failed);
   }
   return facts;

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "repertoire/number_text.h"
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
@@ -37,7 +37,7 @@ std::string lineOf(const Individual& individual) {
                      " " + toString(individual.genotype) + " " + toString(outcome.verdict);
   for (const double number : {outcome.end_pose.x_m, outcome.end_pose.y_m, outcome.end_pose.yaw_rad,
                               outcome.orientation_error_rad, individual.standing.diversity}) {
-    line += " " + toText(number);
+    line += " " + exactText(number);
   }
   return line + " " + std::to_string(individual.standing.rank) + " " +
          std::to_string(individual.looks) + "\n";
@@ -122,7 +122,7 @@ std::map<std::string, std::string> toTexts(const EvolutionState& state) {
   std::map<std::string, std::string> texts{
       {"random", state.random.state()},
       {"next_id", std::to_string(state.next_id)},
-      {"novelty_threshold_m", toText(state.novelty_threshold_m)}};
+      {"novelty_threshold_m", exactText(state.novelty_threshold_m)}};
   for (const auto& [name, member] : kCounters) texts[name] = std::to_string(state.counters.*member);
   std::string& population = texts["population"];
   for (const Individual& individual : state.population) population += lineOf(individual);

@@ -1,18 +1,9 @@
 #include "execution/executor_status.h"
 
-#include <locale>
-#include <sstream>
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
-
-std::string rounded(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text.precision(3);
-  text << value;
-  return text.str();
-}
 
 std::string jointName(const Cause& cause, const std::vector<std::string>& joint_names) {
   const auto joint = static_cast<std::size_t>(cause.joint);
@@ -85,7 +76,7 @@ std::string sentence(const Cause& cause, const std::vector<std::string>& joint_n
       return "No valid joint_states within feedback_timeout_s; repair the feedback, then call "
              "~arm.";
     case Reason::kNotFollowing:
-      return "Joint '" + jointName(cause, joint_names) + "' is " + rounded(cause.value_rad) +
+      return "Joint '" + jointName(cause, joint_names) + "' is " + numberText(cause.value_rad, 3) +
              " rad away from its command and does not follow; free or repair it, then call ~arm.";
     case Reason::kCommandRefused:
       return "A command was not finite or had the wrong length and was not sent; this behaviour "
@@ -94,7 +85,7 @@ std::string sentence(const Cause& cause, const std::vector<std::string>& joint_n
       return "No valid joint_states yet, so the pose of the robot is unknown; start its driver, or "
              "set feedback_timeout_s to 0 for open loop.";
     case Reason::kFarFromNeutral:
-      return "Joint '" + jointName(cause, joint_names) + "' is " + rounded(cause.value_rad) +
+      return "Joint '" + jointName(cause, joint_names) + "' is " + numberText(cause.value_rad, 3) +
              " rad away from its neutral angle, more than start_tolerance_rad; bring the robot "
              "nearer by hand, or set far_start to ramp.";
     case Reason::kAlreadyArmed:

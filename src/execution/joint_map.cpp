@@ -4,41 +4,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 #include <stdexcept>
 
 #include "common/options.h"
+#include "common/problems.h"
 
 namespace hexapod {
 namespace {
 
-// Collects the problems of one file, so that all are told at once.
-class Problems {
- public:
-  explicit Problems(const std::string& source) : source_(source) {}
+// Takes one sentence about what is wrong with the file.
+using Complain = std::function<void(const std::string&)>;
 
-  void add(const std::string& sentence) { text_ += source_ + ": " + sentence + "\n"; }
-  void throwIfAny() const {
-    if (!text_.empty()) throw std::runtime_error(text_);
-  }
-
- private:
-  std::string source_;
-  std::string text_;
-};
-
-double number(const YAML::Node& node, const std::string& what, Problems& problems) {
+double number(const YAML::Node& node, const std::string& what, const Complain& complain) {
   const OptionValue value = optionValueFromText(node.IsScalar() ? node.Scalar() : "");
   if (const auto* real = std::get_if<double>(&value)) return *real;
   if (const auto* integer = std::get_if<std::int64_t>(&value)) return static_cast<double>(*integer);
-  problems.add(what + " must be a number.");
+  complain(what + " must be a number.");
   return 0.0;
 }
 
-WireJoint parseJoint(const std::string& joint, const YAML::Node& node, Problems& problems) {
+WireJoint parseJoint(const std::string& joint, const YAML::Node& node, const Complain& complain) {
   WireJoint wire{joint, joint, 1.0, 0.0};
   if (!node.IsMap()) {
-    problems.add("joint '" + joint + "' must hold name, sign and offset_rad.");
+    complain("joint '" + joint + "' must hold name, sign and offset_rad.");
     return wire;
   }
   for (const auto& field : node) {
@@ -46,35 +36,35 @@ WireJoint parseJoint(const std::string& joint, const YAML::Node& node, Problems&
     const std::string what = "'" + key + "' of joint '" + joint + "'";
     if (key == "name") {
       wire.name = field.second.IsScalar() ? field.second.Scalar() : "";
-      if (wire.name.empty()) problems.add(what + " must be a name.");
+      if (wire.name.empty()) complain(what + " must be a name.");
     } else if (key == "sign") {
-      wire.sign = number(field.second, what, problems);
-      if (std::abs(wire.sign) != 1.0) problems.add(what + " must be 1 or -1.");
+      wire.sign = number(field.second, what, complain);
+      if (std::abs(wire.sign) != 1.0) complain(what + " must be 1 or -1.");
     } else if (key == "offset_rad") {
-      wire.offset_rad = number(field.second, what, problems);
-      if (!std::isfinite(wire.offset_rad)) problems.add(what + " must be finite.");
+      wire.offset_rad = number(field.second, what, complain);
+      if (!std::isfinite(wire.offset_rad)) complain(what + " must be finite.");
     } else {
-      problems.add(what + " is unknown; expected name, sign or offset_rad.");
+      complain(what + " is unknown; expected name, sign or offset_rad.");
     }
   }
   return wire;
 }
 
-YAML::Node jointsNode(const std::string& text, Problems& problems) {
+YAML::Node jointsNode(const std::string& text, const Complain& complain) {
   YAML::Node root;
   try {
     root = YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    problems.add(std::string("this is not YAML: ") + error.what() + ".");
-    problems.throwIfAny();
+    complain(std::string("this is not YAML: ") + error.what() + ".");
+    return YAML::Node(YAML::NodeType::Map);
   }
   if (!root.IsMap() || !root["joints"] || !root["joints"].IsMap()) {
-    problems.add("expected a map 'joints' with one entry per joint of the robot.");
-    problems.throwIfAny();
+    complain("expected a map 'joints' with one entry per joint of the robot.");
+    return YAML::Node(YAML::NodeType::Map);
   }
   for (const auto& entry : root) {
     if (entry.first.Scalar() == "joints") continue;
-    problems.add("key '" + entry.first.Scalar() + "' is unknown; expected joints.");
+    complain("key '" + entry.first.Scalar() + "' is unknown; expected joints.");
   }
   return root["joints"];
 }
@@ -89,26 +79,28 @@ JointMap JointMap::identity(const std::vector<std::string>& joint_names) {
 
 JointMap JointMap::fromYaml(const std::string& text, const std::vector<std::string>& joint_names,
                             const std::string& source) {
-  Problems problems(source);
-  const YAML::Node node = jointsNode(text, problems);
+  Problems problems;
+  const Complain complain = [&](const std::string& what) { problems.add(source, what); };
+  const YAML::Node node = jointsNode(text, complain);
+  problems.throwIfAny();
   std::vector<WireJoint> joints(joint_names.size());
   std::set<std::string> wire_names;
   for (const auto& entry : node) {
     const std::string joint = entry.first.Scalar();
     const auto found = std::find(joint_names.begin(), joint_names.end(), joint);
     if (found == joint_names.end()) {
-      problems.add("joint '" + joint + "' is not one of the robot's.");
+      complain("joint '" + joint + "' is not one of the robot's.");
       continue;
     }
     WireJoint& slot = joints[static_cast<std::size_t>(found - joint_names.begin())];
-    if (!slot.joint.empty()) problems.add("joint '" + joint + "' occurs twice.");
-    slot = parseJoint(joint, entry.second, problems);
+    if (!slot.joint.empty()) complain("joint '" + joint + "' occurs twice.");
+    slot = parseJoint(joint, entry.second, complain);
     if (!wire_names.insert(slot.name).second) {
-      problems.add("the name '" + slot.name + "' is given to two joints.");
+      complain("the name '" + slot.name + "' is given to two joints.");
     }
   }
   for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (joints[j].joint.empty()) problems.add("joint '" + joint_names[j] + "' is missing.");
+    if (joints[j].joint.empty()) complain("joint '" + joint_names[j] + "' is missing.");
   }
   problems.throwIfAny();
   return JointMap(std::move(joints));

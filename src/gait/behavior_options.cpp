@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
+
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
@@ -14,27 +14,20 @@ constexpr double kMaxDuration_s = 60.0;
 constexpr double kMinPeriod_s = 0.001;
 constexpr double kMaxPeriod_s = 1.0;
 
-std::string text(double value) {
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  stream << value;
-  return stream.str();
-}
-
 void requireRange(const std::string& name, double value, double min, double max) {
   if (std::isfinite(value) && value >= min && value <= max) return;
-  throw std::invalid_argument("Option " + name + " is " + text(value) + " s; expected " +
-                              text(min) + " .. " + text(max) + " s.");
+  throw std::invalid_argument("Option " + name + " is " + numberText(value) + " s; expected " +
+                              numberText(min) + " .. " + numberText(max) + " s.");
 }
 
 std::size_t commandsIn(const std::string& name, double duration_s, double period_s) {
   const double commands = std::round(duration_s / period_s);
   // A nanosecond covers the rounding of decimal options.
   if (std::abs(commands * period_s - duration_s) > 1e-9) {
-    throw std::invalid_argument("Option " + name + " is " + text(duration_s) +
+    throw std::invalid_argument("Option " + name + " is " + numberText(duration_s) +
                                 " s; expected a whole multiple of command_period_s (" +
-                                text(period_s) + " s), such as " +
-                                text(std::ceil(duration_s / period_s) * period_s) + " s.");
+                                numberText(period_s) + " s), such as " +
+                                numberText(std::ceil(duration_s / period_s) * period_s) + " s.");
   }
   return static_cast<std::size_t>(commands);
 }
@@ -98,10 +91,11 @@ void checkReturnIsSlowEnough(const RobotDescription& robot, const BehaviorOption
   for (const Joint* joint : robot.joints()) {
     const double needed_s = std::abs(joint->amplitude_rad) / joint->max_velocity_rad_per_s;
     if (needed_s <= ramp_s) continue;
-    throw std::invalid_argument("Option return_duration_s is " + text(options.return_duration_s) +
-                                " s; joint " + joint->name + " needs at least " + text(needed_s) +
+    throw std::invalid_argument("Option return_duration_s is " +
+                                numberText(options.return_duration_s) + " s; joint " + joint->name +
+                                " needs at least " + numberText(needed_s) +
                                 " s for its way back to the neutral pose at " +
-                                text(joint->max_velocity_rad_per_s) + " rad/s.");
+                                numberText(joint->max_velocity_rad_per_s) + " rad/s.");
   }
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/problems.h"
+#include "common/text.h"
 #include "robot/dimensions.h"
-#include "robot/problems.h"
 
 namespace hexapod {
 namespace {

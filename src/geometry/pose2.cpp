@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "common/text.h"
+
 namespace hexapod {
 
 double wrapAngle(double angle_rad) {
@@ -32,6 +34,11 @@ double headingDistance(const Pose2& a, const Pose2& b) {
 
 bool isFinite(const Pose2& pose) {
   return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.yaw_rad);
+}
+
+std::string poseText(const Pose2& pose) {
+  return "(" + fixedText(pose.x_m, 2) + " m, " + fixedText(pose.y_m, 2) + " m, " +
+         fixedText(pose.yaw_rad * 180.0 / M_PI, 0) + " deg)";
 }
 
 Pose2 footprint(const Eigen::Isometry3d& world_from_body) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <string>
 
 namespace hexapod {
 
@@ -30,6 +31,9 @@ double headingDistance(const Pose2& a, const Pose2& b);
 
 /// True when all three coordinates are finite.
 bool isFinite(const Pose2& pose);
+
+/// For a sentence: "(0.50 m, -0.20 m, 34 deg)".
+std::string poseText(const Pose2& pose);
 
 /// The footprint of a body in space (REP-120 base_footprint): its position projected on the floor
 /// and the heading of its x axis. At a pitch of +-90 degrees the heading is that of atan2(0, 0) =

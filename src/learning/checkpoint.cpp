@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "evolution/evolution_state.h"
-#include "repertoire/number_text.h"
 
 namespace hexapod {
 namespace {
@@ -60,7 +60,7 @@ std::string lineOf(const Entry& entry) {
   std::string line = std::to_string(entry.id) + " " + toString(entry.genome);
   for (const double number : {entry.end_pose.x_m, entry.end_pose.y_m, entry.end_pose.yaw_rad,
                               entry.orientation_error_rad}) {
-    line += " " + toText(number);
+    line += " " + exactText(number);
   }
   return line + " " + std::to_string(entry.evaluation) + "\n";
 }
@@ -137,7 +137,7 @@ std::string toString(LearningPhase phase) {
 LearnerState toLearnerState(const Checkpoint& checkpoint) {
   LearnerState state = toTexts(checkpoint.evolution);
   state[kPhaseKey] = toString(checkpoint.phase);
-  state[kElapsedKey] = toText(checkpoint.elapsed_s);
+  state[kElapsedKey] = exactText(checkpoint.elapsed_s);
   state[kSimulationsKey] = std::to_string(checkpoint.simulations);
   std::string& order = state[kArchiveOrderKey];
   for (const Entry& entry : checkpoint.evolution.archive) order += std::to_string(entry.id) + "\n";

@@ -2,45 +2,46 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
+
+#include "common/text.h"
 
 namespace hexapod {
+namespace {
+
+constexpr double kDegrees = 180.0 / M_PI;
+
+}  // namespace
 
 std::string describe(const LearningStatus& status) {
-  std::ostringstream line;
-  line.imbue(std::locale::classic());
-  line << std::fixed << std::setprecision(0);
   if (status.phase == LearningPhase::kValidating) {
-    line << "Validating: " << status.entries_validated << " of " << status.entries << " entries.";
-    return line.str();
+    return "Validating: " + std::to_string(status.entries_validated) + " of " +
+           std::to_string(status.entries) + " entries.";
   }
   if (status.phase == LearningPhase::kVerifying) {
-    line << "Verifying: " << status.entries_verified << " of " << status.entries
-         << " entries replayed in ODE.";
-    return line.str();
+    return "Verifying: " + std::to_string(status.entries_verified) + " of " +
+           std::to_string(status.entries) + " entries replayed in ODE.";
   }
   const bool done = status.phase == LearningPhase::kDone;
-  line << (done ? "Done: " : "Learning: ") << status.counters.evaluations;
+  std::string line = (done ? "Done: " : "Learning: ") + std::to_string(status.counters.evaluations);
   // A run that only its time limits has a budget nobody reads.
-  if (!done && status.time_budget_s <= 0.0) line << " of " << status.evaluations_budget;
-  line << " evaluations, " << status.evaluations_per_s << "/s, ";
-  if (!done) line << status.eta_s << " s left, ";
-  line << status.entries << " entries";
+  if (!done && status.time_budget_s <= 0.0) {
+    line += " of " + std::to_string(status.evaluations_budget);
+  }
+  line += " evaluations, " + fixedText(status.evaluations_per_s, 0) + "/s, ";
+  if (!done) line += fixedText(status.eta_s, 0) + " s left, ";
+  line += std::to_string(status.entries) + " entries";
   if (status.last.evaluations > 0) {
-    line << std::setprecision(2) << ", sparseness " << 100.0 * status.last.sparseness_m
-         << " cm, orientation error " << status.last.median_orientation_error_rad * 180.0 / M_PI
-         << " deg";
+    line += ", sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) +
+            " cm, orientation error " +
+            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg";
   }
   if (done && status.last.held_out) {
-    line << " (" << 100.0 * status.last.held_out->sparseness_m << " cm, "
-         << status.last.held_out->median_orientation_error_rad * 180.0 / M_PI
-         << " deg in other worlds)";
+    line += " (" + fixedText(100.0 * status.last.held_out->sparseness_m, 2) + " cm, " +
+            fixedText(status.last.held_out->median_orientation_error_rad * kDegrees, 2) +
+            " deg in other worlds)";
   }
-  line << std::setprecision(0) << "; " << status.simulations << " simulations, " << status.known
-       << " gaits known.";
-  return line.str();
+  return line + "; " + std::to_string(status.simulations) + " simulations, " +
+         std::to_string(status.known) + " gaits known.";
 }
 
 double fractionDone(const LearningStatus& status) {

@@ -4,10 +4,10 @@
 #include <stdexcept>
 
 #include "common/half_decade.h"
+#include "common/text.h"
 #include "evaluation/verify.h"
 #include "gait/behavior.h"
 #include "repertoire/metrics.h"
-#include "repertoire/number_text.h"
 
 namespace hexapod {
 namespace {
@@ -66,13 +66,13 @@ LearningSession::LearningSession(const RobotDescription& robot, const LearnOptio
     : robot_(robot),
       options_(options),
       clock_(std::move(clock)),
-      writer_(claimed(options)),
-      resumed_(earlierRun(robot, options, writer_)),
-      engine_(chooseEngine(options.engine, robot)),
-      worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
-                                          static_cast<int>(options.threads))),
-      evaluator_(worlds_, options, stop_, workers),
-      evolution_(makeEvolution(robot, options, evaluator_, resumed_)) {
+      writer_(claimed(options_)),
+      resumed_(earlierRun(robot, options_, writer_)),
+      engine_(chooseEngine(options_.engine, robot)),
+      worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options_),
+                                          static_cast<int>(options_.threads))),
+      evaluator_(worlds_, options_, stop_, workers),
+      evolution_(makeEvolution(robot, options_, evaluator_, resumed_)) {
   if (resumed_) goOn();
 }
 
@@ -175,8 +175,8 @@ bool LearningSession::verifyEntries(const Hooks& hooks) {
   }
   facts_["verified_entries"] = std::to_string(entries.size() - dropped_.size());
   facts_["dropped_entries"] = std::to_string(dropped_.size());
-  facts_["largest_difference_m"] = toText(verification.largest_difference_m);
-  facts_["largest_difference_rad"] = toText(verification.largest_difference_rad);
+  facts_["largest_difference_m"] = exactText(verification.largest_difference_m);
+  facts_["largest_difference_rad"] = exactText(verification.largest_difference_rad);
   return true;
 }
 

@@ -2,35 +2,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "planning/beam_search.h"
 
 namespace hexapod {
 namespace {
 
-std::ostringstream sentence() {
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out.precision(3);
-  return out;
-}
-
-std::ostream& operator<<(std::ostream& out, const Pose2& pose) {
-  return out << "(" << pose.x_m << " m, " << pose.y_m << " m, " << pose.yaw_rad << " rad)";
-}
+std::string text(double number) { return numberText(number, 3); }
 
 const PlannerOptions& checked(const PlannerOptions& options) {
   PlannerOptions copy = options;
   for (const Option& option : declareOptions(copy)) {
     const auto refuse = [&](double value) {
       if (value >= option.min && value <= option.max) return;
-      std::ostringstream out = sentence();
-      out << "Option " << option.name << " of the planner must be in " << option.range() << " "
-          << option.unit << ", not " << value << ".";
-      throw std::invalid_argument(out.str());
+      throw std::invalid_argument("Option " + option.name + " of the planner must be in " +
+                                  option.range() + ", not " + text(value) + ".");
     };
     if (const auto* number = std::get_if<double*>(&option.target)) refuse(**number);
     if (const auto* count = std::get_if<std::int64_t*>(&option.target)) {
@@ -42,25 +30,28 @@ const PlannerOptions& checked(const PlannerOptions& options) {
 
 /// Empty when the request can be answered.
 std::string whyInvalid(const PlanRequest& request, const PlannerOptions& options) {
-  std::ostringstream out = sentence();
   const GoalTolerance& tolerance = request.tolerance;
   const double far_m = distance(request.world_from_start, request.world_from_goal);
   if (!isFinite(request.world_from_goal)) {
-    out << "The goal " << request.world_from_goal << " is not finite: give finite coordinates.";
-  } else if (!isFinite(request.world_from_start)) {
-    out << "The start " << request.world_from_start
-        << " is not finite: the pose of the robot is not known.";
-  } else if (!(tolerance.xy_m > 0.0) || !std::isfinite(tolerance.xy_m)) {
-    out << "The xy tolerance must be a positive number of metres, not " << tolerance.xy_m << ".";
-  } else if (!std::isfinite(tolerance.yaw_rad) || tolerance.yaw_rad == 0.0) {
-    out << "The yaw tolerance must be positive, or negative for any heading [rad], not "
-        << tolerance.yaw_rad << ".";
-  } else if (!(far_m <= options.max_goal_distance_m)) {
-    out << "The goal " << request.world_from_goal << " is " << far_m
-        << " m away, farther than max_goal_distance_m = " << options.max_goal_distance_m
-        << ": walk there by goals in between, or raise the option.";
+    return "The goal " + poseText(request.world_from_goal) +
+           " is not finite: give finite coordinates.";
   }
-  return out.str();
+  if (!isFinite(request.world_from_start)) {
+    return "The start " + poseText(request.world_from_start) +
+           " is not finite: the pose of the robot is not known.";
+  }
+  if (!(tolerance.xy_m > 0.0) || !std::isfinite(tolerance.xy_m)) {
+    return "The xy tolerance must be a positive number of metres, not " + text(tolerance.xy_m) +
+           ".";
+  }
+  if (!std::isfinite(tolerance.yaw_rad) || tolerance.yaw_rad == 0.0) {
+    return "The yaw tolerance must be positive, or negative for any heading [rad], not " +
+           text(tolerance.yaw_rad) + ".";
+  }
+  if (far_m <= options.max_goal_distance_m) return "";
+  return "The goal " + poseText(request.world_from_goal) + " is " + text(far_m) +
+         " m away, farther than max_goal_distance_m = " + text(options.max_goal_distance_m) +
+         ": walk there by goals in between, or raise the option.";
 }
 
 bool arrived(const PlanResult& result, const GoalTolerance& tolerance) {
@@ -69,38 +60,29 @@ bool arrived(const PlanResult& result, const GoalTolerance& tolerance) {
 }
 
 std::string noRepertoire(std::size_t entries) {
-  std::ostringstream out = sentence();
-  if (entries == 0) {
-    out << "The repertoire has no entries: learn or load one first.";
-  } else {
-    out << "None of the " << entries
-        << " entries of the repertoire can be planned with: each fell in its validation, does not "
-           "move, or has no finite end pose. Learn another one.";
-  }
-  return out.str();
+  if (entries == 0) return "The repertoire has no entries: learn or load one first.";
+  return "None of the " + std::to_string(entries) +
+         " entries of the repertoire can be planned with: each fell in its validation, does not "
+         "move, or has no finite end pose. Learn another one.";
 }
 
 std::string describe(const PlanResult& result, const PlanRequest& request,
                      const PlannerOptions& options) {
-  std::ostringstream out = sentence();
-  switch (result.code) {
-    case PlanCode::kFound:
-      out << "Plan of " << result.steps.size()
-          << (result.steps.size() == 1 ? " behaviour" : " behaviours") << ", predicted to end ";
-      break;
-    case PlanCode::kUnreachable:
-      out << "No chain of at most " << options.max_steps << " behaviours was found to the goal "
-          << request.world_from_goal << "; the nearest pose found is " << result.world_from_end
-          << ", ";
-      break;
-    default:
-      out << "No plan to the goal " << request.world_from_goal
-          << " was found before planning was stopped or planning_time_s = "
-          << options.planning_time_s << " was used up; the nearest pose found is "
-          << result.world_from_end << ", ";
+  const std::string end = text(result.distance_m) + " m and " +
+                          text(result.heading_rad * 180.0 / M_PI) + " deg from the goal.";
+  if (result.code == PlanCode::kFound) {
+    return "Plan of " + std::to_string(result.steps.size()) +
+           (result.steps.size() == 1 ? " behaviour" : " behaviours") + ", predicted to end " + end;
   }
-  out << result.distance_m << " m and " << result.heading_rad << " rad from the goal.";
-  return out.str();
+  const std::string goal = "the goal " + poseText(request.world_from_goal);
+  const std::string nearest =
+      "; the nearest pose found is " + poseText(result.world_from_end) + ", " + end;
+  if (result.code == PlanCode::kUnreachable) {
+    return "No chain of at most " + std::to_string(options.max_steps) +
+           " behaviours was found to " + goal + nearest;
+  }
+  return "No plan to " + goal + " was found before planning was stopped or planning_time_s = " +
+         text(options.planning_time_s) + " was used up" + nearest;
 }
 
 }  // namespace

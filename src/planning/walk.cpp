@@ -1,9 +1,6 @@
 #include "planning/walk.h"
 
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
 
 namespace hexapod {
 namespace {
@@ -15,14 +12,6 @@ constexpr double kOrdinaryDeviation_m = 0.06;
 // Size of a displacement [m], a radian counted as kMetresPerRadian.
 double extent(const Pose2& a, const Pose2& b) {
   return distance(a, b) + kMetresPerRadian * headingDistance(a, b);
-}
-
-std::string poseText(const Pose2& pose) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::fixed << std::setprecision(2) << "(" << pose.x_m << " m, " << pose.y_m << " m, "
-       << std::setprecision(0) << pose.yaw_rad * 180.0 / M_PI << " deg)";
-  return text.str();
 }
 
 }  // namespace

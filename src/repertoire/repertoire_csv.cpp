@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "repertoire/number_text.h"
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
@@ -11,14 +11,14 @@ std::string lineOf(const Entry& entry) {
   std::string line = std::to_string(entry.id) + "," + toString(entry.genome);
   for (const double value : {entry.end_pose.x_m, entry.end_pose.y_m, entry.end_pose.yaw_rad,
                              entry.orientation_error_rad}) {
-    line += "," + toText(value);
+    line += "," + exactText(value);
   }
   line += "," + std::to_string(entry.evaluation);
   if (!entry.execution) return line + ",,,,,,0,0";
   const Execution& execution = *entry.execution;
   for (const double value : {execution.mean.x_m, execution.mean.y_m, execution.mean.yaw_rad,
                              execution.spread_m, execution.spread_rad}) {
-    line += "," + toText(value);
+    line += "," + exactText(value);
   }
   return line + "," + std::to_string(execution.trials) + "," + std::to_string(execution.falls);
 }

@@ -4,7 +4,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "repertoire/number_text.h"
+#include "common/text.h"
 #include "repertoire/repertoire_rows.h"
 #include "repertoire/sound_database.h"
 #include "repertoire/sqlite.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/text.h"
 #include "repertoire/digest.h"
-#include "repertoire/number_text.h"
 
 namespace hexapod {
 namespace {
@@ -97,7 +97,7 @@ std::string problemOf(const Entry& entry, std::size_t gene_count) {
   }
   if (!isFinite(entry.end_pose)) return "has an end pose that is not finite";
   if (!isSpread(entry.orientation_error_rad)) {
-    return "has an orientation error of " + toText(entry.orientation_error_rad) + " rad";
+    return "has an orientation error of " + exactText(entry.orientation_error_rad) + " rad";
   }
   return entry.execution ? problemOf(*entry.execution) : "";
 }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 
-#include "repertoire/number_text.h"
+#include "common/text.h"
 #include "repertoire/repertoire_rows.h"
 
 namespace hexapod {
@@ -62,7 +62,7 @@ std::map<std::string, std::string> metaOf(const Repertoire& repertoire,
       {"seed", std::to_string(repertoire.seed)},
       {"generation", std::to_string(repertoire.generation)},
       {"evaluations", std::to_string(repertoire.evaluations)},
-      {"behavior_duration_s", toText(repertoire.behavior_duration_s)},
+      {"behavior_duration_s", exactText(repertoire.behavior_duration_s)},
       {"joint_names", joint_names},
       {"gene_count", std::to_string(geneCount(repertoire))},
       {"digest", digestOf(repertoire.entries)},

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/options.h"
+#include "common/text.h"
 #include "robot/dimensions.h"
 #include "robot/urdf_hinge.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "robot/problems.h"
+#include "common/problems.h"
 #include "robot/robot_config.h"
 #include "robot/robot_description.h"
 

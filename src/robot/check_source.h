@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "robot/problems.h"
+#include "common/problems.h"
 
 namespace hexapod {
 

@@ -1,9 +1,9 @@
 #include "robot/load_robot.h"
 
+#include "common/problems.h"
 #include "robot/assemble_robot.h"
 #include "robot/check_source.h"
 #include "robot/digest.h"
-#include "robot/problems.h"
 #include "robot/robot_config.h"
 #include "robot/urdf_bodies.h"
 

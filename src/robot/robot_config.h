@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/problems.h"
+#include "common/problems.h"
 #include "robot/robot_description.h"
 
 namespace hexapod {

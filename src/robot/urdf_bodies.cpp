@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/text.h"
 #include "robot/check_source.h"
 #include "robot/dimensions.h"
 

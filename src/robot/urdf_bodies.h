@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-#include "robot/problems.h"
+#include "common/problems.h"
 #include "robot/robot_description.h"
 
 namespace hexapod {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "common/text.h"
+
 namespace hexapod {
 namespace {
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "common/options.h"
+#include "common/text.h"
 
 namespace hexapod {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "robot/problems.h"
+#include "common/problems.h"
 
 namespace hexapod {
 

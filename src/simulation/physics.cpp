@@ -1,20 +1,19 @@
 #include "simulation/physics.h"
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
+#include <string>
+
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
 
 void checkRange(const char* name, double value, double min, double max) {
   if (value >= min && value <= max) return;
-  std::ostringstream sentence;
-  sentence.imbue(std::locale::classic());
-  sentence << "Physics value " << name << " must be between " << min << " and " << max << ", found "
-           << value << ".";
-  throw std::invalid_argument(sentence.str());
+  throw std::invalid_argument("Physics value " + std::string(name) + " must be between " +
+                              numberText(min) + " and " + numberText(max) + ", found " +
+                              numberText(value) + ".");
 }
 
 void scaleBody(Body& body, double scale) {

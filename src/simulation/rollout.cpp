@@ -2,10 +2,9 @@
 
 #include <cmath>
 #include <cstddef>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "geometry/pose2.h"
 #include "simulation/physics.h"
 
@@ -24,12 +23,10 @@ std::size_t stepsPerCommand(double command_period_s, double step_s) {
   const double steps = command_period_s / step_s;
   const double whole = std::round(steps);
   if (whole >= 1.0 && std::abs(steps - whole) < 1e-6) return static_cast<std::size_t>(whole);
-  std::ostringstream sentence;
-  sentence.imbue(std::locale::classic());
-  sentence << "The command period of " << command_period_s
-           << " s is not a multiple of the simulation step of " << step_s
-           << " s; choose a step_s that divides command_period_s.";
-  throw std::invalid_argument(sentence.str());
+  throw std::invalid_argument("The command period of " + numberText(command_period_s) +
+                              " s is not a multiple of the simulation step of " +
+                              numberText(step_s) +
+                              " s; choose a step_s that divides command_period_s.");
 }
 
 Outcome play(World& world, const Behavior& behavior, double command_period_s) {

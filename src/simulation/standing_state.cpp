@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <array>
+#include <stdexcept>
 
+#include "common/text.h"
 #include "geometry/pose2.h"
 #include "simulation/kinematics.h"
 
@@ -52,6 +54,14 @@ WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldStat
     rate = (turn * rate).eval();
   }
   return state;
+}
+
+void throwDoesNotStand(const RobotDescription& robot, Verdict verdict, double time_s) {
+  throw std::runtime_error("Robot '" + robot.name +
+                           "' does not stand: put on the floor in its neutral pose, its simulation "
+                           "is '" +
+                           toString(verdict) + "' after " + numberText(time_s) +
+                           " s; change its neutral pose, masses or torques, or the physics.");
 }
 
 }  // namespace hexapod

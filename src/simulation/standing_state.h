@@ -17,4 +17,8 @@ WorldState standingState(const RobotDescription& robot);
 WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldState state,
                              std::size_t body_count);
 
+/// Throws std::runtime_error: the robot, put on the floor like this, came to that verdict instead
+/// of standing still.
+[[noreturn]] void throwDoesNotStand(const RobotDescription& robot, Verdict verdict, double time_s);
+
 }  // namespace hexapod

@@ -3,8 +3,8 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "repertoire/metrics.h"
-#include "repertoire/number_text.h"
 #include "study/k_means.h"
 #include "study/methods.h"
 
@@ -72,7 +72,7 @@ void writeTargets(const std::string& file, const std::vector<Target>& targets) {
   std::ofstream out(file);
   out << "x_m,y_m\n";
   for (const Target& target : targets) {
-    out << toText(target.x_m) << ',' << toText(target.y_m) << '\n';
+    out << exactText(target.x_m) << ',' << exactText(target.y_m) << '\n';
   }
   close(out, file);
 }
@@ -84,7 +84,7 @@ void writeTheoreticalSparseness(const std::string& file, const StudyOptions& opt
   for (std::int64_t count = 50; count <= 400; count += 50) {
     StudyOptions other = options;
     other.targets = count;
-    out << std::to_string(count) << ',' << toText(sparsenessOf(grid, controlTargets(other)))
+    out << std::to_string(count) << ',' << exactText(sparsenessOf(grid, controlTargets(other)))
         << '\n';
   }
   close(out, file);

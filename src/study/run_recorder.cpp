@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "common/half_decade.h"
+#include "common/text.h"
 #include "repertoire/metrics.h"
-#include "repertoire/number_text.h"
 
 namespace hexapod {
 namespace {
@@ -58,16 +58,16 @@ void RunRecorder::finish(const Method& method, std::int64_t simulations, double 
 void RunRecorder::writeHistory(const Method& method, std::int64_t simulations, double wall_s) {
   for (const auto& [name, entries] : method.repertoires()) {
     const RepertoireMetrics metrics = measure(learnedEndings(entries));
-    const auto unless = [](bool absent, double value) { return absent ? "" : toText(value); };
+    const auto unless = [](bool absent, double value) { return absent ? "" : exactText(value); };
     const bool none = metrics.endings == 0;
     history_ << name << ',' << std::to_string(method.evaluations()) << ','
-             << std::to_string(simulations) << ',' << toText(wall_s) << ','
+             << std::to_string(simulations) << ',' << exactText(wall_s) << ','
              << std::to_string(metrics.endings) << ',' << std::to_string(metrics.endings_in_region)
              << ',' << unless(none, metrics.sparseness_m) << ','
              << unless(metrics.endings_in_region == 0, metrics.median_error_in_region_rad) << ','
              << unless(none, metrics.median_error_of_all_rad) << ','
-             << toText(metrics.density_in_region_per_dm2) << ',' << toText(metrics.max_reach_m)
-             << '\n';
+             << exactText(metrics.density_in_region_per_dm2) << ','
+             << exactText(metrics.max_reach_m) << '\n';
   }
   history_written_ = method.evaluations();
 }
@@ -76,8 +76,8 @@ void RunRecorder::writeEntries(const Method& method) {
   for (const auto& [name, entries] : method.repertoires()) {
     for (const Entry& entry : entries) {
       entries_ << name << ',' << std::to_string(method.evaluations()) << ','
-               << toText(entry.end_pose.x_m) << ',' << toText(entry.end_pose.y_m) << ','
-               << toText(entry.end_pose.yaw_rad) << ',' << toText(entry.orientation_error_rad)
+               << exactText(entry.end_pose.x_m) << ',' << exactText(entry.end_pose.y_m) << ','
+               << exactText(entry.end_pose.yaw_rad) << ',' << exactText(entry.orientation_error_rad)
                << ',' << toString(entry.genome) << '\n';
     }
   }

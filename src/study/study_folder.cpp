@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <system_error>
 
+#include "common/text.h"
 #include "repertoire/file_lock.h"
-#include "repertoire/number_text.h"
 #include "study/run_files.h"
 
 namespace hexapod {

@@ -3,9 +3,9 @@
 #include <chrono>
 #include <memory>
 
+#include "common/text.h"
 #include "evaluation/behavior_evaluator.h"
 #include "evaluation/cached_evaluator.h"
-#include "repertoire/number_text.h"
 #include "study/methods.h"
 #include "study/run_files.h"
 #include "study/run_recorder.h"
@@ -55,7 +55,7 @@ RunResult performRun(const RobotDescription& robot, const StudyOptions& options,
   facts["seed"] = std::to_string(plan.seed);
   facts["evaluations"] = std::to_string(method->evaluations());
   facts["simulations"] = std::to_string(simulator.counts().simulations);
-  facts["wall_s"] = toText(watch.seconds());
+  facts["wall_s"] = exactText(watch.seconds());
   facts["engine"] = toString(engine.engine);
   facts["robot_id"] = robot.digest;
   facts["machine"] = machine;

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "repertoire/number_text.h"
+#include "common/text.h"
 #include "robot/load_robot.h"
 #include "study/run_files.h"
 #include "study/study_folder.h"

@@ -1,8 +1,8 @@
 #include "evaluation/verify.h"
 
+#include "common/text.h"
 #include "learning/checkpoint.h"
 #include "learning_fixture.h"
-#include "repertoire/number_text.h"
 
 namespace hexapod {
 namespace {

@@ -6,13 +6,13 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <locale>
 #include <optional>
 #include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "common/comma_locale.h"
 #include "common/random.h"
 #include "repertoire/repertoire.h"
 
@@ -37,23 +37,6 @@ class TemporaryFolder {
 
  private:
   std::filesystem::path path_;
-};
-
-/// Makes the decimal point a comma and groups thousands, as many countries do, for its lifetime.
-class CommaLocale {
- public:
-  CommaLocale() : previous_(std::locale::global({std::locale::classic(), new Comma})) {}
-  ~CommaLocale() { std::locale::global(previous_); }
-  CommaLocale(const CommaLocale&) = delete;
-  CommaLocale& operator=(const CommaLocale&) = delete;
-
- private:
-  struct Comma : std::numpunct<char> {
-    char do_decimal_point() const override { return ','; }
-    char do_thousands_sep() const override { return '.'; }
-    std::string do_grouping() const override { return "\3"; }
-  };
-  std::locale previous_;
 };
 
 inline Genome randomGenome(Random& random, std::size_t genes = 24) {

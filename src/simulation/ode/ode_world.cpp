@@ -6,8 +6,6 @@
 #include <array>
 #include <cmath>
 #include <cstdarg>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 #include "simulation/kinematics.h"
@@ -364,14 +362,7 @@ void OdeWorld::settle() {
   for (int i = 1; i <= steps; ++i) {
     const Verdict verdict = advance(kSettlingStep_s);
     if (verdict == Verdict::kWalked) continue;
-    std::ostringstream sentence;
-    sentence.imbue(std::locale::classic());
-    sentence << "Robot '" << description_.name
-             << "' does not stand: put on the floor in its neutral "
-             << "pose, its simulation is '" << toString(verdict) << "' after "
-             << i * kSettlingStep_s
-             << " s; change its neutral pose, masses or torques, or the physics.";
-    throw std::runtime_error(sentence.str());
+    throwDoesNotStand(description_, verdict, i * kSettlingStep_s);
   }
 }
 

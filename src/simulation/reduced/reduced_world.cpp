@@ -1,8 +1,6 @@
 #include "simulation/reduced/reduced_world.h"
 
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 #include "simulation/physics.h"
@@ -16,15 +14,6 @@
 
 namespace hexapod {
 namespace {
-
-[[noreturn]] void throwDoesNotStand(const RobotDescription& robot, Verdict verdict, double time_s) {
-  std::ostringstream sentence;
-  sentence.imbue(std::locale::classic());
-  sentence << "Robot '" << robot.name << "' does not stand: put on the floor in its neutral pose, "
-           << "its simulation is '" << toString(verdict) << "' after " << time_s
-           << " s; change its neutral pose, masses or torques, or the physics.";
-  throw std::runtime_error(sentence.str());
-}
 
 void checkCount(const char* what, const std::string& robot, std::size_t expected,
                 std::size_t found) {

@@ -1,4 +1,4 @@
-#include "repertoire/number_text.h"
+#include "common/text.h"
 
 #include <limits>
 #include <locale>
@@ -21,16 +21,34 @@ std::optional<Number> numberFromText(const std::string& text) {
 
 }  // namespace
 
-std::string toText(double number) {
+std::string numberText(double number, int digits) {
   std::ostringstream stream;
   stream.imbue(std::locale::classic());
-  stream.precision(std::numeric_limits<double>::max_digits10);
+  stream.precision(digits);
   stream << number;
   return stream.str();
 }
 
+std::string fixedText(double number, int decimals) {
+  std::ostringstream stream;
+  stream.imbue(std::locale::classic());
+  stream.precision(decimals);
+  stream << std::fixed << number;
+  return stream.str();
+}
+
+std::string exactText(double number) {
+  // All that 15 digits hold reads back from them, and trailing zeros are not written.
+  for (const int digits : {15, 16}) {
+    const std::string text = numberText(number, digits);
+    if (doubleFromText(text) == number) return text;
+  }
+  return numberText(number, std::numeric_limits<double>::max_digits10);
+}
+
 std::optional<double> doubleFromText(const std::string& text) {
   if (text == "inf") return std::numeric_limits<double>::infinity();
+  if (text == "-inf") return -std::numeric_limits<double>::infinity();
   return numberFromText<double>(text);
 }
 

@@ -1,8 +1,6 @@
-#include "robot/problems.h"
+#include "common/problems.h"
 
 #include <algorithm>
-#include <locale>
-#include <sstream>
 #include <stdexcept>
 
 namespace hexapod {
@@ -48,13 +46,6 @@ void Problems::throwIfAny() const {
   std::string all;
   for (const std::string& sentence : sentences()) all += (all.empty() ? "" : "\n") + sentence;
   throw std::runtime_error(all);
-}
-
-std::string numberText(double value) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << value;
-  return text.str();
 }
 
 std::string namesText(const std::vector<std::string>& names) {

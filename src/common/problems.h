@@ -40,9 +40,6 @@ class Problems {
   std::vector<Told> told_;
 };
 
-/// A number for a sentence: 6 significant digits, decimal point in every locale.
-std::string numberText(double value);
-
 /// "a, b and c"; of more than eight the first seven and how many more there are.
 std::string namesText(const std::vector<std::string>& names);
 

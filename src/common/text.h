@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace hexapod {
+
+/// Numbers as text, with a decimal point in every locale, and back: nowhere else is this done.
+
+/// For a sentence: so many significant digits, "0.785".
+std::string numberText(double number, int digits = 6);
+
+/// For a sentence or a table: so many decimals, "0.50".
+std::string fixedText(double number, int decimals);
+
+/// For a file: the shortest text that reads back as the same number.
+std::string exactText(double number);
+
+/// Numbers as the functions above and std::to_string() write them; empty when the text is anything
+/// else or the number does not fit.
+std::optional<double> doubleFromText(const std::string& text);
+std::optional<std::int64_t> integerFromText(const std::string& text);
+std::optional<std::uint64_t> unsignedFromText(const std::string& text);
+
+}  // namespace hexapod
