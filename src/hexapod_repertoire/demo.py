@@ -3,6 +3,7 @@ import math
 import os
 import sys
 import threading
+import time
 from dataclasses import dataclass
 from typing import List, Optional
 
@@ -11,11 +12,14 @@ from geometry_msgs.msg import Pose as PoseMsg
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 
-from hexapod_repertoire.msg import ExecutorState, Repertoire
+from hexapod_repertoire.msg import (ExecutorState, LearningProgress, Repertoire, WalkToGoal,
+                                    WalkToResult)
 from hexapod_repertoire.pictures import Pose, Walk, save_picture
-from hexapod_repertoire.srv import GoTo, GoToRequest, GoToResponse
+from hexapod_repertoire.srv import GoToResponse
+from hexapod_repertoire.waiting import Latest, Silence, Walker
 
 TRAIL_SPACING_M = 0.01
+PATIENCE_S = 60.0
 
 
 @dataclass(frozen=True)
@@ -23,12 +27,12 @@ class Report:
     """One goal and what became of it."""
 
     goal: Pose
-    response: GoToResponse
+    response: WalkToResult
     seconds: float
 
     @property
     def reached(self) -> bool:
-        return self.response.accepted and self.response.code == GoToResponse.SUCCEEDED
+        return self.response.code == GoToResponse.SUCCEEDED
 
 
 def to_pose(message: PoseMsg) -> Pose:
@@ -67,17 +71,24 @@ class Trail:
 
 
 def validated_repertoire() -> Repertoire:
-    """Waits until a repertoire is published whose entries were validated."""
-    while True:
-        message = rospy.wait_for_message("repertoire", Repertoire)
-        if message.entries and all(entry.trials > 0 for entry in message.entries):
-            return message
+    """Waits until a repertoire is published whose entries were validated, as long as one learns."""
+    return Latest("repertoire", Repertoire).wait(
+        lambda message: message.entries and all(entry.trials > 0 for entry in message.entries),
+        PATIENCE_S,
+        "No repertoire with validated entries is published, and nobody learns one; start "
+        "learn.launch, or a repertoire_server with a file whose run has ended.",
+        also=Latest("learner/progress", LearningProgress),
+    )
 
 
 def wait_until_ready() -> None:
     """Waits until the executor stands and is ready to walk."""
-    while rospy.wait_for_message("executor/state", ExecutorState).state != ExecutorState.READY:
-        pass
+    end_s = time.monotonic() + PATIENCE_S
+    state = Latest("executor/state", ExecutorState).wait(
+        lambda message: message.state == ExecutorState.READY or time.monotonic() > end_s,
+        PATIENCE_S, "No executor answers on executor/state; start it.")
+    if state.state != ExecutorState.READY:
+        raise Silence(f"The executor does not become ready ({state.reason}); call executor/arm.")
 
 
 def read_goals() -> List[Pose]:
@@ -89,13 +100,12 @@ def read_goals() -> List[Pose]:
     return [(float(x), float(y), float(yaw)) for x, y, yaw in goals]
 
 
-def walk_to(goal: Pose, frame: str) -> Report:
-    """Calls go_to and waits for the end of the walk."""
-    request = GoToRequest(wait=True)
-    request.target_pose = PoseStamped(pose=to_message(goal))
-    request.target_pose.header.frame_id = frame
+def walk_to(walker: Walker, goal: Pose, frame: str) -> Report:
+    """Walks to a goal and tells what became of it."""
+    target = PoseStamped(pose=to_message(goal))
+    target.header.frame_id = frame
     begin = rospy.get_time()
-    response = rospy.ServiceProxy("go_to", GoTo)(request)
+    response = walker.walk(WalkToGoal(target_pose=target))
     return Report(goal, response, rospy.get_time() - begin)
 
 
@@ -114,7 +124,7 @@ def table(reports: List[Report]) -> str:
     for report in reports:
         r = report.response
         predicted = to_pose(r.plan.poses[-1].pose) if r.plan.poses else None
-        reached = to_pose(r.final_pose.pose) if r.accepted else None
+        reached = to_pose(r.final_pose.pose) if r.final_pose.header.frame_id else None
         error = f"{100 * r.final_xy_error_m:5.1f} cm {math.degrees(r.final_yaw_error_rad):5.1f} deg"
         lines.append(
             f"{pose_text(report.goal)} | {pose_text(predicted)} | {pose_text(reached)} | "
@@ -126,18 +136,27 @@ def table(reports: List[Report]) -> str:
 def main() -> int:
     """Runs the demonstration; returns 0 only if every goal was reached within tolerance."""
     rospy.init_node("demo")
+    try:
+        return demonstrate()
+    except Silence as silence:
+        rospy.logfatal(silence)
+        return 1
+
+
+def demonstrate() -> int:
+    """What main() runs, once there is a node."""
     goals = read_goals()
     frame = rospy.get_param("~frame", "odom")
     picture = os.path.expanduser(rospy.get_param("~picture_file"))
     rospy.loginfo("Waiting for a validated repertoire.")
     repertoire = validated_repertoire()
     wait_until_ready()
-    rospy.wait_for_service("go_to")
+    walker = Walker()
     trail = Trail()
     reports, walks = [], []
     for goal in goals:
         rospy.loginfo("Walking to %s.", pose_text(goal))
-        report = walk_to(goal, frame)
+        report = walk_to(walker, goal, frame)
         rospy.loginfo(report.response.message)
         reports.append(report)
         planned = [to_pose(stamped.pose) for stamped in report.response.plan.poses]

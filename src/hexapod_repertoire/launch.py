@@ -14,10 +14,15 @@ from roslaunch.pmon import ProcessListener
 from roslaunch.rlutil import get_or_generate_uuid
 
 
-class Session(ROSLaunchParent, ProcessListener):
-    """A session of roslaunch that remembers how the required node ended that ended it.
+WRONG_OPTIONS = 2  # exit code of our nodes
 
-    What becomes of the others is no failure of the session: rviz may crash or be closed.
+
+class Session(ROSLaunchParent, ProcessListener):
+    """A session of roslaunch that remembers how the node ended that ended it.
+
+    A required node ends the session, and so does one that finds its options wrong: started again
+    it would find the same. What becomes of the others is no failure of the session: rviz may be
+    closed, planner and executor come back when they crash.
     """
 
     exit_code = 0
@@ -29,9 +34,13 @@ class Session(ROSLaunchParent, ProcessListener):
 
     def process_died(self, process_name: str, exit_code: int) -> None:
         """Called by roslaunch; exit_code is negative for a signal and None when unknown."""
-        if self.pm.get_process(process_name).required:
+        process = self.pm.get_process(process_name)
+        if process.required:
             code = 1 if exit_code is None else exit_code
             self.exit_code = code if code >= 0 else 128 - code
+        elif process.respawn and exit_code == WRONG_OPTIONS:
+            self.exit_code = WRONG_OPTIONS
+            self.pm.is_shutdown = True
 
 
 def problem_with(launch_file: str, arguments: List[str]) -> str:

@@ -9,6 +9,7 @@ import rospy
 from hexapod_repertoire.demo import Report, wait_until_ready, validated_repertoire, walk_to
 from hexapod_repertoire.msg import StepReport
 from hexapod_repertoire.pictures import Pose
+from hexapod_repertoire.waiting import Silence, Walker
 
 BINS_CM = (0.5, 1.0, 1.5, 2.0, 3.0, 5.0, math.inf)
 
@@ -88,15 +89,24 @@ def summary(reports: List[Report], errors: List[Tuple[float, float]]) -> str:
 def main() -> int:
     """Walks to ~goals random goals within ~radius_m of odom's origin; 0 if at most a tenth missed."""
     rospy.init_node("walk_trials")
+    try:
+        return walk_trials()
+    except Silence as silence:
+        rospy.logfatal(silence)
+        return 1
+
+
+def walk_trials() -> int:
+    """What main() runs, once there is a node."""
     generator = random.Random(rospy.get_param("~seed", 1))
     goals, radius_m = rospy.get_param("~goals", 20), rospy.get_param("~radius_m", 1.5)
     steps = StepLog()
     validated_repertoire()
     wait_until_ready()
-    rospy.wait_for_service("go_to")
+    walker = Walker()
     reports = []
     for number in range(goals):
-        reports.append(walk_to(random_goal(generator, radius_m), "odom"))
+        reports.append(walk_to(walker, random_goal(generator, radius_m), "odom"))
         rospy.loginfo("%d of %d: %s", number + 1, goals, reports[-1].response.message)
     print(summary(reports, steps.errors()), flush=True)
     return 0 if sum(not report.reached for report in reports) <= goals // 10 else 1

@@ -3,25 +3,33 @@
 
 #include "ros_interface/common/node_process.h"
 #include "ros_interface/common/params.h"
-#include "ros_interface/planner/walk_interfaces.h"
+#include "ros_interface/common/robot_param.h"
+#include "ros_interface/planner/planner_node.h"
 
 namespace hexapod {
 namespace {
 
-// Callbacks plan for up to planning_time_s; others must not wait for them.
-constexpr std::uint32_t kThreads = 3;
+// Not 0, so that roslaunch or a supervisor knows to restart it.
+constexpr int kMasterLostExitCode = 3;
+constexpr std::chrono::milliseconds kPatience{1500};
 
 int plan() {
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
   PlannerNodeOptions options;
   loadParams(private_node, declareOptions(options));
-  Walker walker(node, private_node, options);
-  const WalkInterfaces interfaces(node, private_node, walker, options);
-  ros::AsyncSpinner spinner(kThreads);
-  spinner.start();
-  waitUntilAskedToLeave();
-  return 0;
+  checkOptions(options);
+  const std::string robot_id =
+      options.robot_config.empty() ? "" : robotFromParams(node, options.robot_config).digest;
+  PlannerNode planner(node, private_node, options, robot_id);
+  const PlannerNode::End end = planner.run(leaveFlag());
+  const bool master_lost = end == PlannerNode::End::kMasterLost;
+  if (master_lost) {
+    ROS_FATAL("The ROS master is gone or was replaced; the planner leaves and must be restarted.");
+  }
+  const int code = master_lost ? kMasterLostExitCode : 0;
+  leaveWithin(kPatience, code);
+  return code;
 }
 
 std::string optionTable() {

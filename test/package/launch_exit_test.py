@@ -13,7 +13,7 @@ LAUNCH = """<launch>
   <arg name="other"/>
   <arg name="required"/>
   <node name="other" pkg="rosout" type="rosout" launch-prefix="{script} $(arg other)"/>
-  <node name="required" pkg="rosout" type="rosout" required="true"
+  <node name="required" pkg="rosout" type="rosout" {fate}
         launch-prefix="{script} $(arg required)"/>
 </launch>"""
 
@@ -27,6 +27,14 @@ def free_port():
 @pytest.mark.parametrize("other, required, expected", [
     ("exit-3", "exit-0", 0), ("exit-0", "exit-4", 4), ("exit-3", "kill-9", 128 + 9)])
 def test_only_the_required_node_counts(tmp_path, other, required, expected):
+    assert exit_code(tmp_path, 'required="true"', other, required) == expected
+
+
+def test_a_node_that_finds_its_options_wrong_is_not_started_again(tmp_path):
+    assert exit_code(tmp_path, 'respawn="true"', "exit-3", "exit-2") == 2
+
+
+def exit_code(tmp_path, fate, other, required):
     pytest.importorskip("roslaunch.parent")
     script = tmp_path / "node.sh"
     # The required one waits until the other has ended.
@@ -37,7 +45,7 @@ case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
 """)
     script.chmod(0o755)
     launch_file = tmp_path / "two.launch"
-    launch_file.write_text(LAUNCH.format(script=script))
+    launch_file.write_text(LAUNCH.format(script=script, fate=fate))
     environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}",
                        ROS_IP="127.0.0.1", ROS_HOME=str(tmp_path))
     # Run as a file: the package may be that of another build.
@@ -46,4 +54,5 @@ case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
          f"other:={other}", f"required:={required}"],
         env=environment, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         universal_newlines=True)
-    assert result.returncode == expected, result.stdout
+    print(result.stdout)
+    return result.returncode

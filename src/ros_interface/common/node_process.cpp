@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <iostream>
 #include <sstream>
@@ -69,6 +70,13 @@ bool askedToLeave() { return leave || !ros::ok(); }
 
 void waitUntilAskedToLeave() {
   while (!askedToLeave()) std::this_thread::sleep_for(kPoll);
+}
+
+void leaveWithin(std::chrono::milliseconds longest, int code) {
+  std::thread([longest, code] {
+    std::this_thread::sleep_for(longest);
+    std::_Exit(code);
+  }).detach();
 }
 
 }  // namespace hexapod

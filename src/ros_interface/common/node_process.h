@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <string>
 
 namespace hexapod {
@@ -26,5 +27,9 @@ bool askedToLeave();
 
 /// Returns when askedToLeave().
 void waitUntilAskedToLeave();
+
+/// From now on the process ends with `code` after `longest`, steady time, if it has not by then: a
+/// master that hangs, or a callback that waits, keeps nobody from leaving.
+void leaveWithin(std::chrono::milliseconds longest, int code);
 
 }  // namespace hexapod

@@ -1,19 +1,32 @@
 #include "ros_interface/planner/planner_node_options.h"
 
+#include <stdexcept>
+
 namespace hexapod {
 
 std::vector<Option> declareOptions(PlannerNodeOptions& options) {
   std::vector<Option> all = declareOptions(options.planner);
+  all.push_back(option("robot_config", options.robot_config,
+                       "Path of the robot's YAML, its URDF is the parameter robot_description: "
+                       "only repertoires of this robot are planned with. Empty: any robot's."));
   all.push_back(option("global_frame", options.global_frame, "Frame of plans, without a slash."));
   all.push_back(option("base_frame", options.base_frame, "The robot's footprint in tf."));
   all.push_back(option("tf_timeout_s", options.tf_timeout_s, "s",
                        "How long to wait for the transform of a goal.", 0.0, 60.0));
   all.push_back(option("pose_timeout_s", options.pose_timeout_s, "s",
-                       "A robot pose older than this is lost.", 0.01, 60.0));
+                       "A robot pose that has not changed its stamp for so long is lost.", 0.01,
+                       60.0));
   all.push_back(option("pose_settle_s", options.pose_settle_s, "s",
                        "The pose is read this long after the last command of a behaviour.", 0.0,
                        60.0));
   return all;
+}
+
+void checkOptions(const PlannerNodeOptions& options) {
+  if (options.planner.yaw_tolerance_rad != 0.0) return;
+  throw std::invalid_argument(
+      "~yaw_tolerance_rad is 0, which no robot arrives with; expected a positive angle [rad], or a "
+      "negative number for any heading.");
 }
 
 }  // namespace hexapod

@@ -12,6 +12,7 @@ namespace hexapod {
 /// Options of the planner node: those of the planner, and where poses come from.
 struct PlannerNodeOptions {
   PlannerOptions planner;
+  std::string robot_config;  ///< path; empty: any robot's repertoire is planned with
   std::string global_frame = names::kOdomFrame;
   std::string base_frame = names::kFootprintFrame;
   double tf_timeout_s = 0.5;
@@ -21,5 +22,8 @@ struct PlannerNodeOptions {
 
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(PlannerNodeOptions& options);
+
+/// Throws std::invalid_argument when values that are in range each have no meaning.
+void checkOptions(const PlannerNodeOptions& options);
 
 }  // namespace hexapod

@@ -2,13 +2,12 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/time.h>
-#include <tf2_ros/buffer.h>
-#include <tf2_ros/transform_listener.h>
 
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "geometry/pose2.h"
-#include "ros_interface/planner/planner_node_options.h"
 
 namespace hexapod {
 
@@ -18,23 +17,26 @@ struct PoseReading {
   std::string problem;  ///< empty when there is a pose
 };
 
-/// Where the robot stands and where goals are, through tf. Never hands out a pose that tf did not
-/// give. Callable from any thread; waits block the caller only.
+/// Where the robot stands and where goals are, in the global frame. From any thread; waits are
+/// bounded in steady time, block the caller only, and end soon after `stop` is true.
 class PoseSource {
  public:
-  explicit PoseSource(const PlannerNodeOptions& options);
+  using Stop = std::function<bool()>;
 
-  /// global_from_base, not older than pose_timeout_s. With `after`, waits (at most pose_timeout_s
-  /// longer than that takes) for a pose stamped at or after it.
-  PoseReading robotPose(const ros::Time& after = ros::Time(0)) const;
+  virtual ~PoseSource() = default;
+
+  /// As known now, without waiting; a problem when the pose has stopped coming.
+  virtual PoseReading latest() const = 0;
+
+  /// A pose that is still coming; waits for it a while.
+  virtual PoseReading robotPose(const Stop& stop) const = 0;
+
+  /// Where the robot has come to rest: a pose stamped at or after `rest`, the time of the last
+  /// command of a behaviour and some more for the robot to settle.
+  virtual PoseReading restPose(const ros::Time& rest, const Stop& stop) const = 0;
 
   /// A goal brought into the global frame; a stamp of 0 means the latest transform.
-  PoseReading goalPose(const geometry_msgs::PoseStamped& goal) const;
-
- private:
-  PlannerNodeOptions options_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
+  virtual PoseReading goalPose(const geometry_msgs::PoseStamped& goal, const Stop& stop) const = 0;
 };
 
 }  // namespace hexapod

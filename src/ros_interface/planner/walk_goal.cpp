@@ -2,38 +2,51 @@
 
 namespace hexapod {
 
-using Code = hexapod_repertoire::GoTo::Response;
-
 std::uint8_t codeOf(PlanCode code) {
   switch (code) {
     case PlanCode::kFound:
     case PlanCode::kAlreadyThere:
-      return Code::SUCCEEDED;
+      return GoalCode::SUCCEEDED;
     case PlanCode::kInvalidGoal:
-      return Code::INVALID_GOAL;
+      return GoalCode::INVALID_GOAL;
     case PlanCode::kNoRepertoire:
-      return Code::NO_REPERTOIRE;
+      return GoalCode::NO_REPERTOIRE;
     case PlanCode::kUnreachable:
-      return Code::UNREACHABLE;
+      return GoalCode::UNREACHABLE;
     case PlanCode::kTimeout:
-      return Code::PLANNING_TIMEOUT;
+      return GoalCode::PLANNING_TIMEOUT;
   }
-  return Code::UNREACHABLE;
+  return GoalCode::UNREACHABLE;
 }
 
 std::uint8_t codeOf(const Walk::Decision& decision) {
   switch (decision.state) {
     case WalkState::kArrived:
     case WalkState::kStep:
-      return Code::SUCCEEDED;
+      return GoalCode::SUCCEEDED;
     case WalkState::kStuck:
-      return Code::STUCK;
+      return GoalCode::STUCK;
     case WalkState::kPoseLost:
-      return Code::POSE_LOST;
+      return GoalCode::POSE_LOST;
     case WalkState::kNoPlan:
       break;
   }
   return codeOf(decision.plan.code);
+}
+
+std::uint8_t codeOf(BehaviorPlayer::End end) {
+  switch (end) {
+    case BehaviorPlayer::End::kPlayed:
+      return GoalCode::SUCCEEDED;
+    case BehaviorPlayer::End::kNotReady:
+      return GoalCode::EXECUTOR_NOT_READY;
+    case BehaviorPlayer::End::kTimeStands:
+      return GoalCode::POSE_LOST;
+    case BehaviorPlayer::End::kCancelled:
+    case BehaviorPlayer::End::kFault:
+      break;
+  }
+  return GoalCode::EXECUTOR_FAULT;
 }
 
 }  // namespace hexapod

@@ -10,29 +10,55 @@
 #include "hexapod_repertoire/GoTo.h"
 #include "planning/planner.h"
 #include "planning/walk.h"
+#include "ros_interface/planner/behavior_player.h"
 
 namespace hexapod {
 
+/// The codes that goals end with, wherever they came from.
+using GoalCode = hexapod_repertoire::GoTo::Response;
+
+/// A goal as a client sent it.
+struct GoalRequest {
+  geometry_msgs::PoseStamped pose;
+  double xy_tolerance_m = 0.0;     ///< 0: the node's default
+  double yaw_tolerance_rad = 0.0;  ///< 0: the node's default; negative: any heading
+  bool plan_only = false;
+};
+
+/// A goal that was examined: in the global frame.
+struct WalkGoal {
+  Pose2 pose;
+  GoalTolerance tolerance;
+};
+
 /// What became of a goal: a code of GoTo.srv, a sentence, the first plan, the end.
 struct WalkReport {
-  std::uint8_t code = hexapod_repertoire::GoTo::Response::NO_REPERTOIRE;
+  std::uint8_t code = GoalCode::INTERNAL_ERROR;
   std::string message;
   nav_msgs::Path plan;
   geometry_msgs::PoseStamped final_pose;
   double final_xy_error_m = 0.0;
   double final_yaw_error_rad = 0.0;
   std::uint32_t steps = 0;
+
+  bool success() const { return code == GoalCode::SUCCEEDED; }
 };
 
-/// A goal in the global frame, and who wants to know of it.
-struct WalkGoal {
-  std::string id;  ///< unique; empty: submit() gives one
-  Pose2 pose;
-  GoalTolerance tolerance;
-  std::function<void(const WalkReport&)> finished;  ///< called once, from the walking thread
-  /// Called before each behaviour: measured pose, behaviours done, planned in all, metres left.
-  std::function<void(const geometry_msgs::PoseStamped&, std::uint32_t, std::uint32_t, double)>
-      progress;
+/// How far a walk is, told before each behaviour.
+struct WalkProgress {
+  geometry_msgs::PoseStamped pose;
+  std::uint32_t steps = 0;          ///< behaviours done
+  std::uint32_t steps_planned = 0;  ///< those done included
+  double distance_left_m = 0.0;
+};
+
+/// Who wants to know of a goal. Called from various threads, one at a time: accepted at most once,
+/// then progress, then ended exactly once. An end without acceptance is a refusal. Any may be
+/// empty.
+struct GoalListener {
+  std::function<void(const WalkReport&)> accepted;
+  std::function<void(const WalkProgress&)> progress;
+  std::function<void(const WalkReport&)> ended;
 };
 
 /// The code of GoTo.srv for how planning ended.
@@ -40,5 +66,8 @@ std::uint8_t codeOf(PlanCode code);
 
 /// The code of GoTo.srv for what a walk has come to.
 std::uint8_t codeOf(const Walk::Decision& decision);
+
+/// The code of GoTo.srv for a behaviour that was not played to its end.
+std::uint8_t codeOf(BehaviorPlayer::End end);
 
 }  // namespace hexapod

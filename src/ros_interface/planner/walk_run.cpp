@@ -3,25 +3,24 @@
 #include <utility>
 
 #include "ros_interface/common/conversions.h"
+#include "ros_interface/planner/walk_display.h"
 
 namespace hexapod {
 namespace {
 
-using Code = hexapod_repertoire::GoTo::Response;
-
-// Beyond its own duration: the executor's ramp to the neutral pose and the transport.
-constexpr double kBehaviorGrace_s = 5.0;
+// A behaviour is broken off when the pose has been lost for so long, beyond pose_timeout_s.
+constexpr std::int64_t kPoseMayReturn_ns = kSecond_ns / 2;
 
 }  // namespace
 
-WalkRun::WalkRun(const Means& means, const WalkGoal& goal, std::shared_ptr<AdaptivePlanner> planner)
+WalkRun::WalkRun(const Means& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner)
     : means_(means),
       goal_(goal),
       planner_(std::move(planner)),
-      walk_(planner_, goal.pose, goal.tolerance) {}
+      walk_(planner_, goal.goal().pose, goal.goal().tolerance) {}
 
 WalkReport WalkRun::run() {
-  means_.display.showGoal(goal_.pose);
+  means_.watcher.showGoal(goal_.goal().pose);
   while (measure()) {
     const std::optional<PlannedStep> step = plan();
     if (!step || !play(*step)) break;
@@ -30,58 +29,85 @@ WalkReport WalkRun::run() {
 }
 
 bool WalkRun::measure() {
-  const PoseReading robot = means_.poses.robotPose(rest_);
+  const PoseReading robot = means_.poses.restPose(rest_, [this] { return goal_.ended(); });
+  if (goal_.ended()) return false;  // whoever ended it has told why
   if (!robot.pose) {
-    end(Code::POSE_LOST, robot.problem);
+    end(GoalCode::POSE_LOST, robot.problem);
     return false;
   }
   if (played_) {
-    means_.display.reportStep(goal_.id, report_.steps, *played_, walked_.back(), *robot.pose);
+    means_.watcher.reportStep(goal_.id, report_.steps, *played_, walked_.back(), *robot.pose);
   }
   walked_.push_back(*robot.pose);
+  noteWhereRobotIs(*robot.pose);
+  if (!means_.newer_is_next()) return true;
+  end(GoalCode::PREEMPTED, "A newer goal took over.");
+  return false;
+}
+
+void WalkRun::noteWhereRobotIs(const Pose2& robot) {
   report_.final_pose.header.frame_id = means_.options.global_frame;
-  report_.final_pose.header.stamp = ros::Time::now();
-  report_.final_pose.pose = toPoseMsg(*robot.pose);
-  report_.final_xy_error_m = distance(*robot.pose, goal_.pose);
-  report_.final_yaw_error_rad = headingDistance(*robot.pose, goal_.pose);
-  const std::string reason = means_.reasonToEnd();
-  if (!reason.empty()) end(Code::PREEMPTED, reason);
-  return reason.empty();
+  report_.final_pose.header.stamp = means_.clock.rosNow();
+  report_.final_pose.pose = toPoseMsg(robot);
+  report_.final_xy_error_m = distance(robot, goal_.goal().pose);
+  report_.final_yaw_error_rad = headingDistance(robot, goal_.goal().pose);
+  goal_.note(report_);
 }
 
 std::optional<PlannedStep> WalkRun::plan() {
   const Pose2& robot = walked_.back();
-  const Walk::Decision decision = walk_.decide(robot, means_.interrupted);
-  means_.display.showPlan(robot, decision.plan, walked_, goal_.pose, goal_.tolerance.xy_m);
+  const WalkGoal& goal = goal_.goal();
+  const Walk::Decision decision = walk_.decide(robot, [this] { return goal_.ended(); });
+  if (goal_.ended()) return std::nullopt;
+  means_.watcher.showPlan(robot, decision.plan, walked_, goal.pose, goal.tolerance.xy_m);
   if (report_.steps == 0) {
-    report_.plan = pathOf(robot, decision.plan, means_.options.global_frame);
+    report_.plan = pathOf(robot, decision.plan, means_.options.global_frame, means_.clock.rosNow());
   }
   if (decision.state != WalkState::kStep) {
     end(codeOf(decision), decision.message);
     return std::nullopt;
   }
-  if (goal_.progress) {
-    goal_.progress(report_.final_pose, report_.steps,
-                   report_.steps + static_cast<std::uint32_t>(decision.plan.steps.size()),
-                   report_.final_xy_error_m);
-  }
+  goal_.tellProgress({report_.final_pose, report_.steps,
+                      report_.steps + static_cast<std::uint32_t>(decision.plan.steps.size()),
+                      report_.final_xy_error_m});
   return decision.step;
+}
+
+bool WalkRun::isToBreakOff() {
+  if (goal_.ended()) return true;
+  const PoseReading robot = means_.poses.latest();
+  const std::int64_t now_ns = means_.clock.steadyNow_ns();
+  if (robot.pose) {
+    noteWhereRobotIs(*robot.pose);
+    seen_ns_ = now_ns;
+  } else if (now_ns - seen_ns_ > kPoseMayReturn_ns) {
+    pose_problem_ = robot.problem;
+  }
+  return !pose_problem_.empty();
 }
 
 bool WalkRun::play(const PlannedStep& step) {
   const Repertoire& repertoire = planner_->repertoire();
-  const BehaviorClient::Result result =
-      means_.executor.play(repertoire.entries.at(step.entry), repertoire.run_id,
-                           repertoire.behavior_duration_s + kBehaviorGrace_s, means_.interrupted);
-  if (result.end == BehaviorClient::End::kFault || result.end == BehaviorClient::End::kNotReady) {
-    end(Code::EXECUTOR_FAULT, "The executor stopped the walk: " + result.message);
+  seen_ns_ = means_.clock.steadyNow_ns();
+  const BehaviorPlayer::Result result =
+      means_.player.play({repertoire.entries.at(step.entry), repertoire.run_id, goal_.stops,
+                          [this] { return isToBreakOff(); }});
+  if (goal_.ended()) return false;
+  if (!pose_problem_.empty()) {
+    end(GoalCode::POSE_LOST, pose_problem_);
+    return false;
+  }
+  if (result.end != BehaviorPlayer::End::kPlayed) {
+    end(codeOf(result.end), "The walk ended, no behaviour is played any more: " + result.message);
     return false;
   }
   ++report_.steps;
-  played_.reset();  // a behaviour that was broken off says nothing of its prediction
-  if (result.end == BehaviorClient::End::kPlayed) played_ = step;
-  rest_ = result.finished.isZero() ? ros::Time(0)
-                                   : result.finished + ros::Duration(means_.options.pose_settle_s);
+  played_ = step;
+  if (result.skipped > 0) {
+    walk_.disregardLastStep();
+    played_.reset();
+  }
+  rest_ = result.finished + ros::Duration(means_.options.pose_settle_s);
   return true;
 }
 

@@ -6,29 +6,29 @@
 #include <vector>
 
 #include "planning/walk.h"
-#include "ros_interface/display/walk_display.h"
-#include "ros_interface/planner/behavior_client.h"
+#include "ros_interface/common/clock.h"
+#include "ros_interface/planner/open_goal.h"
 #include "ros_interface/planner/planner_node_options.h"
 #include "ros_interface/planner/pose_source.h"
-#include "ros_interface/planner/walk_goal.h"
+#include "ros_interface/planner/walk_watcher.h"
 
 namespace hexapod {
 
-/// The walk to one goal: measure, plan, have one behaviour executed, report, again. Used by one
-/// thread, once.
+/// The walk to one goal: measure, plan, have one behaviour played, report, again. Breaks off soon
+/// after the goal has ended. Used by one thread, once.
 class WalkRun {
  public:
   /// What a walk needs of the node; all of it must outlive the walk.
   struct Means {
     const PlannerNodeOptions& options;
+    const Clock& clock;
     const PoseSource& poses;
-    BehaviorClient& executor;
-    WalkDisplay& display;
-    std::function<bool()> interrupted;         ///< true: break off at once
-    std::function<std::string()> reasonToEnd;  ///< at rest: a sentence, or empty to go on
+    BehaviorPlayer& player;
+    WalkWatcher& watcher;
+    std::function<bool()> newer_is_next;  ///< asked at rest: another goal takes over
   };
 
-  WalkRun(const Means& means, const WalkGoal& goal, std::shared_ptr<AdaptivePlanner> planner);
+  WalkRun(const Means& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner);
 
   /// Walks until the goal is reached or the walk has ended otherwise.
   WalkReport run();
@@ -38,18 +38,23 @@ class WalkRun {
   bool measure();
   /// Plans from there. The behaviour to play, nothing when the walk has ended.
   std::optional<PlannedStep> plan();
-  /// Has the executor play it. False when the walk has ended.
+  /// Has it played. False when the walk has ended.
   bool play(const PlannedStep& step);
+  /// While a behaviour is played: true to break it off.
+  bool isToBreakOff();
+  void noteWhereRobotIs(const Pose2& robot);
   void end(std::uint8_t code, const std::string& message);
 
   Means means_;
-  const WalkGoal& goal_;
+  OpenGoal& goal_;
   std::shared_ptr<AdaptivePlanner> planner_;
   Walk walk_;
   WalkReport report_;
-  ros::Time rest_{0};                  // when the robot came to rest after the last behaviour
-  std::vector<Pose2> walked_;          // measured, the newest last
-  std::optional<PlannedStep> played_;  // the last behaviour, if it was played to its end
+  ros::Time rest_;                     // when the robot came to rest after the last behaviour
+  std::vector<Pose2> walked_;          // measured at rest, the newest last
+  std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
+  std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady
+  std::string pose_problem_;           // why the behaviour under way is broken off
 };
 
 }  // namespace hexapod

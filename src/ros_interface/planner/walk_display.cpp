@@ -1,4 +1,4 @@
-#include "ros_interface/display/walk_display.h"
+#include "ros_interface/planner/walk_display.h"
 
 #include <geometry_msgs/PoseStamped.h>
 #include <visualization_msgs/MarkerArray.h>
@@ -20,13 +20,15 @@ std::vector<Pose2> stopsOf(const PlanResult& plan) {
 
 }  // namespace
 
-nav_msgs::Path pathOf(const Pose2& start, const PlanResult& plan, const std::string& frame) {
-  return toPathMsg(samplePath(start, stopsOf(plan), kPathSpacing_m), frame, ros::Time::now());
+nav_msgs::Path pathOf(const Pose2& start, const PlanResult& plan, const std::string& frame,
+                      const ros::Time& stamp) {
+  return toPathMsg(samplePath(start, stopsOf(plan), kPathSpacing_m), frame, stamp);
 }
 
-WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node,
+WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, const Clock& clock,
                          const std::string& frame)
-    : frame_(frame),
+    : clock_(clock),
+      frame_(frame),
       plan_publisher_(node.advertise<nav_msgs::Path>("plan", 1, true)),
       goal_publisher_(node.advertise<geometry_msgs::PoseStamped>("current_goal", 1, true)),
       marker_publisher_(node.advertise<visualization_msgs::MarkerArray>("plan_markers", 1, true)),
@@ -35,7 +37,7 @@ WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node,
 void WalkDisplay::showGoal(const Pose2& goal) {
   geometry_msgs::PoseStamped message;
   message.header.frame_id = frame_;
-  message.header.stamp = ros::Time::now();
+  message.header.stamp = clock_.rosNow();
   message.pose = toPoseMsg(goal);
   goal_publisher_.publish(message);
 }
@@ -50,7 +52,7 @@ void WalkDisplay::showPlan(const Pose2& start, const PlanResult& plan,
   picture.walked = walked;
   picture.goal = goal;
   picture.xy_tolerance_m = xy_tolerance_m;
-  plan_publisher_.publish(toPathMsg(picture.path, frame_, ros::Time::now()));
+  plan_publisher_.publish(toPathMsg(picture.path, frame_, clock_.rosNow()));
   marker_publisher_.publish(planMarkers(picture));
 }
 
@@ -58,7 +60,7 @@ void WalkDisplay::reportStep(const std::string& goal_id, std::uint32_t number,
                              const PlannedStep& step, const Pose2& before, const Pose2& after) {
   hexapod_repertoire::StepReport report;
   report.header.frame_id = frame_;
-  report.header.stamp = ros::Time::now();
+  report.header.stamp = clock_.rosNow();
   report.goal_id = goal_id;
   report.step = number;
   report.entry_id = step.id;

@@ -1,0 +1,81 @@
+"""Waiting for others, never for ever: on steady time, as long as there is a sign of life."""
+import threading
+import time
+from typing import Any, Callable, Optional
+
+import actionlib
+import rospy
+from actionlib_msgs.msg import GoalStatusArray
+
+from hexapod_repertoire.msg import WalkToAction, WalkToGoal, WalkToResult
+
+STEP_S = 0.2  # how soon the end of the session is noticed
+ACTION_PATIENCE_S = 10.0  # an action server tells its status five times a second
+
+
+class Silence(RuntimeError):
+    """Nothing came for longer than was to be expected; the text says what, and what to do."""
+
+
+class Latest:
+    """The newest message of a topic, and how long ago anything came."""
+
+    def __init__(self, topic: str, message_type: Any) -> None:
+        self._changed = threading.Condition()
+        self._message: Optional[Any] = None
+        self._heard_s = time.monotonic()
+        self._subscriber = rospy.Subscriber(topic, message_type, self._take, queue_size=1)
+
+    def _take(self, message: Any) -> None:
+        with self._changed:
+            self._message = message
+            self._heard_s = time.monotonic()
+            self._changed.notify_all()
+
+    def silent_s(self) -> float:
+        """Seconds since a message came; since the start before the first one."""
+        with self._changed:
+            return time.monotonic() - self._heard_s
+
+    def wait(self, wanted: Callable[[Any], bool], patience_s: float, problem: str,
+             also: Optional["Latest"] = None) -> Any:
+        """The first message that is `wanted`.
+
+        Raises Silence(problem) when neither this topic nor `also` has said anything for
+        patience_s, and ROSInterruptException when the session ends.
+        """
+        with self._changed:
+            while self._message is None or not wanted(self._message):
+                self._changed.wait(STEP_S)
+                if rospy.is_shutdown():
+                    raise rospy.ROSInterruptException("The session ended.")
+                silent_s = time.monotonic() - self._heard_s
+                if min(silent_s, also.silent_s() if also else silent_s) > patience_s:
+                    raise Silence(problem)
+            return self._message
+
+
+class Walker:
+    """The planner's action walk_to, one goal at a time."""
+
+    def __init__(self) -> None:
+        self._client = actionlib.ActionClient("walk_to", WalkToAction)
+        self._status = Latest("walk_to/status", GoalStatusArray)
+        self._status.wait(lambda _: True, ACTION_PATIENCE_S,
+                          "No planner answers on the action walk_to; start it.")
+
+    def walk(self, goal: WalkToGoal) -> WalkToResult:
+        """Sends the goal and waits for its end; Silence when the planner falls silent."""
+        ended = threading.Event()
+
+        def on_change(handle: Any) -> None:
+            if handle.get_comm_state() == actionlib.CommState.DONE:
+                ended.set()
+
+        handle = self._client.send_goal(goal, on_change)
+        while not ended.wait(STEP_S):
+            if rospy.is_shutdown():
+                raise rospy.ROSInterruptException("The session ended.")
+            if self._status.silent_s() > ACTION_PATIENCE_S:
+                raise Silence("The planner fell silent in the middle of a walk; see its log.")
+        return handle.get_result()

@@ -1,0 +1,137 @@
+#pragma once
+
+#include <actionlib/server/action_server_base.h>
+#include <ros/callback_queue_interface.h>
+#include <ros/node_handle.h>
+
+#include <string>
+#include <utility>
+
+namespace hexapod {
+
+/// An action server on the wire of actionlib (topics goal, cancel, status, feedback, result) that
+/// keeps its word where actionlib's own does not:
+/// - its callbacks run in the queue it is given, its status goes out on steady time;
+/// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
+///   not RECALLED with an empty result, whose code 0 reads as success;
+/// - a cancel that was stamped before the clock was set back cancels no later goals;
+/// - statuses of goals long past do not pile up while time stands still.
+/// Destroyed by one thread after the last goal has ended; else from any thread.
+template <class Action>
+class SteadyActionServer : public actionlib::ActionServerBase<Action> {
+ public:
+  using Base = actionlib::ActionServerBase<Action>;
+  using GoalHandle = typename Base::GoalHandle;
+  using Result = typename Base::Result;
+  using Feedback = typename Base::Feedback;
+  using ActionGoal = typename Base::ActionGoal;
+  using OnGoal = boost::function<void(GoalHandle)>;
+
+  SteadyActionServer(const ros::NodeHandle& node, const std::string& name,
+                     ros::CallbackQueueInterface& queue, const OnGoal& on_goal,
+                     const OnGoal& on_cancel, Result cancelled_early)
+      : Base(on_goal, on_cancel, false),
+        node_(node, name),
+        cancelled_early_(std::move(cancelled_early)) {
+    node_.setCallbackQueue(&queue);
+  }
+
+ private:
+  using Status = actionlib_msgs::GoalStatus;
+  using Tracker = actionlib::StatusTracker<Action>;
+
+  static constexpr std::uint32_t kQueueSize = 50;
+  static constexpr double kStatusPeriod_s = 0.2;
+  static constexpr double kKeepEnded_s = 5.0;
+  static constexpr std::size_t kMostStatuses = 64;
+
+  void initialize() override {
+    result_publisher_ = node_.template advertise<typename Base::ActionResult>("result", kQueueSize);
+    feedback_publisher_ =
+        node_.template advertise<typename Base::ActionFeedback>("feedback", kQueueSize);
+    status_publisher_ =
+        node_.template advertise<actionlib_msgs::GoalStatusArray>("status", kQueueSize, true);
+    timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod_s),
+                                     [this](const ros::SteadyTimerEvent&) { publishStatus(); });
+    goal_subscriber_ = node_.subscribe("goal", kQueueSize, &SteadyActionServer::onGoal, this);
+    cancel_subscriber_ = node_.subscribe("cancel", kQueueSize, &SteadyActionServer::onCancel, this);
+  }
+
+  void onGoal(const boost::shared_ptr<const ActionGoal>& goal) {
+    {
+      const boost::recursive_mutex::scoped_lock lock(this->lock_);
+      if (this->last_cancel_ > ros::Time::now()) this->last_cancel_ = ros::Time();
+    }
+    this->goalCallback(goal);
+  }
+
+  void onCancel(const boost::shared_ptr<const actionlib_msgs::GoalID>& id) {
+    this->cancelCallback(id);
+  }
+
+  void publishResult(const Status& status, const Result& result) override {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    typename Base::ActionResult message;
+    message.header.stamp = ros::Time::now();
+    message.status = status;
+    message.result = result;
+    // This server accepts before it cancels, so only actionlib itself recalls.
+    if (status.status == Status::RECALLED) {
+      message.status.status = Status::PREEMPTED;
+      message.result = cancelled_early_;
+      for (Tracker& tracker : this->status_list_) {
+        if (tracker.status_.goal_id.id == status.goal_id.id) {
+          tracker.status_.status = Status::PREEMPTED;
+        }
+      }
+    }
+    result_publisher_.publish(message);
+    publishStatus();
+  }
+
+  void publishFeedback(const Status& status, const Feedback& feedback) override {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    typename Base::ActionFeedback message;
+    message.header.stamp = ros::Time::now();
+    message.status = status;
+    message.feedback = feedback;
+    feedback_publisher_.publish(message);
+  }
+
+  void publishStatus() override {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    actionlib_msgs::GoalStatusArray message;
+    message.header.stamp = ros::Time::now();
+    for (const Tracker& tracker : this->status_list_)
+      message.status_list.push_back(tracker.status_);
+    status_publisher_.publish(message);
+    forgetEnded(message.header.stamp);
+  }
+
+  // The oldest come first. A goal somebody still holds a handle of is not forgotten.
+  void forgetEnded(const ros::Time& now) {
+    std::size_t left = this->status_list_.size();
+    for (auto tracker = this->status_list_.begin(); tracker != this->status_list_.end();) {
+      const ros::Time ended = tracker->handle_destruction_time_;
+      const bool over = tracker->handle_tracker_.expired();
+      const bool old = !ended.isZero() && ended + ros::Duration(kKeepEnded_s) < now;
+      if (over && (old || left > kMostStatuses)) {
+        tracker = this->status_list_.erase(tracker);
+        --left;
+      } else {
+        ++tracker;
+      }
+    }
+  }
+
+  ros::NodeHandle node_;
+  Result cancelled_early_;
+  ros::Publisher status_publisher_;
+  ros::Publisher result_publisher_;
+  ros::Publisher feedback_publisher_;
+  ros::SteadyTimer timer_;
+  ros::Subscriber goal_subscriber_;
+  ros::Subscriber cancel_subscriber_;
+};
+
+}  // namespace hexapod

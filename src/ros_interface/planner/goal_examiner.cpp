@@ -1,0 +1,128 @@
+#include "ros_interface/planner/goal_examiner.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "ros_interface/common/conversions.h"
+#include "ros_interface/planner/walk_display.h"
+
+namespace hexapod {
+namespace {
+
+// Latched topics that exist have come by then.
+constexpr std::int64_t kStarting_ns = 3 * kSecond_ns;
+
+WalkReport refusal(std::uint8_t code, const std::string& message) {
+  WalkReport report;
+  report.code = code;
+  report.message = message;
+  return report;
+}
+
+// The tolerance a client asked for; a problem as a sentence when it asked for an impossible one.
+GoalTolerance toleranceOf(const GoalRequest& request, const GoalTolerance& standard,
+                          std::string& problem) {
+  const double xy_m = request.xy_tolerance_m;
+  const double yaw_rad = request.yaw_tolerance_rad;
+  GoalTolerance tolerance = standard;
+  if (!std::isfinite(xy_m) || !std::isfinite(yaw_rad) || xy_m < 0.0) {
+    std::ostringstream sentence;
+    sentence << "The tolerances are refused: xy " << xy_m << " m, yaw " << yaw_rad
+             << " rad; expected finite numbers, xy >= 0 (0: the node's default, negative yaw: any "
+                "heading).";
+    problem = sentence.str();
+  }
+  if (xy_m > 0.0) tolerance.xy_m = xy_m;
+  if (yaw_rad != 0.0) tolerance.yaw_rad = yaw_rad;
+  return tolerance;
+}
+
+}  // namespace
+
+GoalExaminer::GoalExaminer(const Means& means)
+    : means_(means), start_ns_(means.clock.steadyNow_ns()) {}
+
+GoalExaminer::Examination GoalExaminer::examine(const GoalRequest& request,
+                                                const Stop& stop) const {
+  Examination examination;
+  auto refused = readGoal(request, stop, examination.goal);
+  if (!refused && !request.plan_only) refused = askPlayer(stop);
+  if (!refused) {
+    const PoseReading robot = means_.poses.robotPose(stop);
+    if (robot.pose) {
+      examination.start = *robot.pose;
+      plan(stop, examination);
+      return examination;
+    }
+    refused = refusal(GoalCode::POSE_LOST, robot.problem);
+  }
+  examination.report = *refused;
+  return examination;
+}
+
+GoalExaminer::Examination GoalExaminer::examineFrom(const geometry_msgs::PoseStamped& start,
+                                                    const GoalRequest& request,
+                                                    const Stop& stop) const {
+  Examination examination;
+  auto refused = readGoal(request, stop, examination.goal);
+  WalkGoal from;
+  GoalRequest at_start;
+  at_start.pose = start;
+  if (!refused) refused = readGoal(at_start, stop, from);
+  if (refused) {
+    examination.report = *refused;
+    return examination;
+  }
+  examination.start = from.pose;
+  plan(stop, examination);
+  return examination;
+}
+
+GoalExaminer::Refusal GoalExaminer::readGoal(const GoalRequest& request, const Stop& stop,
+                                             WalkGoal& goal) const {
+  std::string problem;
+  goal.tolerance = toleranceOf(request, means_.options.planner.tolerance(), problem);
+  if (!problem.empty()) return refusal(GoalCode::INVALID_GOAL, problem);
+  if (!fromPoseMsg(request.pose.pose, problem)) {
+    return refusal(GoalCode::INVALID_GOAL, "The goal is refused: " + problem + ".");
+  }
+  const PoseReading reading = means_.poses.goalPose(request.pose, stop);
+  if (!reading.pose) return refusal(GoalCode::UNKNOWN_FRAME, reading.problem);
+  goal.pose = *reading.pose;
+  return std::nullopt;
+}
+
+GoalExaminer::Refusal GoalExaminer::askPlayer(const Stop& stop) const {
+  awaitAtStart([this] { return means_.player.whyNotReady().empty(); }, stop);
+  const std::string why = means_.player.whyNotReady();
+  if (why.empty()) return std::nullopt;
+  return refusal(GoalCode::EXECUTOR_NOT_READY, why);
+}
+
+void GoalExaminer::awaitAtStart(const std::function<bool()>& there, const Stop& stop) const {
+  means_.clock.waitUntil(start_ns_ + kStarting_ns, [&] { return there() || stop(); });
+}
+
+void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
+  awaitAtStart([this] { return means_.repertoire.planner() != nullptr; }, stop);
+  const auto planner = means_.repertoire.planner();
+  if (!planner) {
+    examination.report = refusal(GoalCode::NO_REPERTOIRE,
+                                 "No repertoire has arrived on the topic repertoire: start the "
+                                 "learner or a repertoire_server.");
+    return;
+  }
+  PlanRequest request;
+  request.world_from_start = examination.start;
+  request.world_from_goal = examination.goal.pose;
+  request.tolerance = examination.goal.tolerance;
+  request.stop = stop;
+  examination.plan = planner->plan(request);
+  WalkReport& report = examination.report;
+  report.code = codeOf(examination.plan.code);
+  report.message = examination.plan.message;
+  report.plan = pathOf(examination.start, examination.plan, means_.options.global_frame,
+                       means_.clock.rosNow());
+}
+
+}  // namespace hexapod

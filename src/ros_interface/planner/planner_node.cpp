@@ -1,0 +1,99 @@
+#include "ros_interface/planner/planner_node.h"
+
+#include <ros/console.h>
+#include <ros/init.h>
+
+#include "ros_interface/common/names.h"
+
+namespace hexapod {
+namespace {
+
+constexpr double kPoll_s = 0.02;
+constexpr std::int64_t kClockWarnPeriod_ns = 2 * kSecond_ns;
+// Answers on their way to clients.
+constexpr std::int64_t kFarewell_ns = kSecond_ns / 5;
+// How much tf to keep: clients stamp their goals with the time they saw them.
+constexpr double kHistory_s = 10.0;
+
+}  // namespace
+
+PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                         const PlannerNodeOptions& options, const std::string& robot_id)
+    : options_(options),
+      master_({node.resolveName(names::kRepertoire)}),
+      buffer_(ros::Duration(kHistory_s)),
+      listener_(buffer_),
+      poses_(options_, clock_, buffer_),
+      executor_(node, clock_),
+      repertoire_(options.planner, robot_id,
+                  [this, topic = node.resolveName(names::kRepertoire)] {
+                    return master_.otherPublishers(topic);
+                  }),
+      display_(node, private_node, clock_, options.global_frame),
+      walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_}),
+      walk_to_(node, goal_queue_, walker_),
+      services_(node, private_node, goal_queue_, walker_),
+      goal_spinner_(1, &goal_queue_),
+      repertoire_subscriber_(node.subscribe(names::kRepertoire, 1, &PlannerNode::receive, this)),
+      next_clock_warning_ns_(clock_.steadyNow_ns() + kClockWarnPeriod_ns) {
+  updater_.setHardwareID("hexapod");
+  updater_.add("planner", this, &PlannerNode::report);
+  goal_spinner_.start();
+}
+
+PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {
+  End end = End::kAskedToLeave;
+  while (!leave && ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
+    updater_.update();
+    watchClock();
+    if (!master_.masterIsLost()) continue;
+    end = End::kMasterLost;
+    break;
+  }
+  answerAll(end);
+  return end;
+}
+
+void PlannerNode::answerAll(End end) {
+  walker_.close(GoalCode::SHUTDOWN,
+                end == End::kMasterLost
+                    ? "The ROS master is gone or was replaced; the planner leaves to be restarted."
+                    : "The planner is shutting down.");
+  clock_.waitUntil(clock_.steadyNow_ns() + kFarewell_ns, [] { return false; });
+}
+
+void PlannerNode::receive(const ros::MessageEvent<Repertoire const>& event) {
+  const auto taken = repertoire_.take(*event.getConstMessage(), event.getPublisherName());
+  if (taken.in_use) {
+    ROS_INFO_STREAM(taken.message);
+  } else {
+    ROS_ERROR_STREAM(taken.message);
+  }
+}
+
+void PlannerNode::watchClock() {
+  if (!ros::Time::isSimTime() || !clock_.rosNow().isZero()) return;
+  if (clock_.steadyNow_ns() < next_clock_warning_ns_) return;
+  next_clock_warning_ns_ = clock_.steadyNow_ns() + kClockWarnPeriod_ns;
+  ROS_WARN(
+      "/use_sim_time is true but no time comes on /clock; start what publishes /clock, or set "
+      "/use_sim_time to false.");
+}
+
+void PlannerNode::report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
+  using Status = diagnostic_msgs::DiagnosticStatus;
+  diagnostics.summary(Status::OK, "Ready for goals.");
+  const auto planner = repertoire_.planner();
+  const std::string executor = executor_.client().whyNotReady();
+  const std::string pose = poses_.latest().problem;
+  if (!planner) diagnostics.mergeSummary(Status::WARN, "No repertoire has arrived.");
+  if (!executor.empty()) diagnostics.mergeSummary(Status::WARN, executor);
+  if (!pose.empty()) diagnostics.mergeSummary(Status::WARN, pose);
+  if (!planner) return;
+  diagnostics.add("Run", planner->repertoire().run_id);
+  diagnostics.add("Entries", planner->repertoire().entries.size());
+  diagnostics.add("Entries planned with", planner->planner()->usableEntries());
+}
+
+}  // namespace hexapod

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <ros/spinner.h>
+#include <ros/subscriber.h>
+#include <tf2/buffer_core.h>
+#include <tf2_ros/transform_listener.h>
+
+#include <atomic>
+#include <string>
+
+#include "ros_interface/common/clock.h"
+#include "ros_interface/common/master_watch.h"
+#include "ros_interface/planner/executor_topics.h"
+#include "ros_interface/planner/repertoire_in_use.h"
+#include "ros_interface/planner/service_doors.h"
+#include "ros_interface/planner/tf_pose_source.h"
+#include "ros_interface/planner/walk_display.h"
+#include "ros_interface/planner/walk_to_door.h"
+#include "ros_interface/planner/walker.h"
+
+namespace hexapod {
+
+/// The planner on ROS: doors for goals, tf, the repertoire, the executor's topics. Everything that
+/// may wait has threads of its own; the global callback queue serves the repertoire.
+class PlannerNode {
+ public:
+  /// Why run() came back.
+  enum class End { kAskedToLeave, kMasterLost };
+
+  /// `robot_id`: digest of the robot description, empty to walk with any robot's repertoire.
+  PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
+              const PlannerNodeOptions& options, const std::string& robot_id);
+
+  /// Serves until `leave` is set, ROS shuts down, or the master is lost. Every goal is answered
+  /// when it returns, and none is taken any more.
+  End run(const std::atomic<bool>& leave);
+
+ private:
+  using Repertoire = hexapod_repertoire::Repertoire;
+
+  void receive(const ros::MessageEvent<Repertoire const>& event);
+  void answerAll(End end);
+  void watchClock();
+  void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
+
+  PlannerNodeOptions options_;
+  SystemClock clock_;
+  MasterWatch master_;
+  tf2::BufferCore buffer_;
+  tf2_ros::TransformListener listener_;
+  TfPoseSource poses_;
+  ExecutorTopics executor_;
+  RepertoireInUse repertoire_;
+  WalkDisplay display_;
+  Walker walker_;
+  ros::CallbackQueue goal_queue_;
+  WalkToDoor walk_to_;
+  ServiceDoors services_;
+  ros::AsyncSpinner goal_spinner_;
+  ros::Subscriber repertoire_subscriber_;
+  std::int64_t next_clock_warning_ns_;
+  diagnostic_updater::Updater updater_;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,57 @@
+#include "ros_interface/planner/repertoire_in_use.h"
+
+#include <algorithm>
+#include <exception>
+#include <utility>
+
+#include "ros_interface/common/conversions.h"
+
+namespace hexapod {
+
+RepertoireInUse::RepertoireInUse(const PlannerOptions& options, std::string robot_id,
+                                 std::function<std::vector<std::string>()> publishers)
+    : options_(options), robot_id_(std::move(robot_id)), publishers_(std::move(publishers)) {}
+
+std::shared_ptr<AdaptivePlanner> RepertoireInUse::planner() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return planner_;
+}
+
+std::string RepertoireInUse::whyRefused(const hexapod_repertoire::Repertoire& message,
+                                        const std::string& publisher) const {
+  if (!message.robot_id.empty() && !robot_id_.empty() && message.robot_id != robot_id_) {
+    return "The repertoire of " + publisher + " was learned for the robot " + message.robot_id +
+           ", this one is " + robot_id_ + "; learn one for this robot description.";
+  }
+  if (publisher_.empty() || publisher == publisher_) return "";
+  const std::vector<std::string> now = publishers_();
+  if (std::find(now.begin(), now.end(), publisher_) == now.end()) return "";
+  return "Two nodes publish a repertoire: " + publisher_ + " and " + publisher + ". The one of " +
+         publisher_ + " stays in use; stop one of them.";
+}
+
+RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoire& message,
+                                             const std::string& publisher) {
+  const auto earlier = planner();
+  const std::string kept = earlier ? " The earlier repertoire stays in use." : "";
+  std::string refused = whyRefused(message, publisher);
+  if (!refused.empty()) return {false, refused + kept};
+  std::shared_ptr<AdaptivePlanner> fresh;
+  try {
+    const Repertoire repertoire = fromMsg(message);
+    const bool same_run =
+        earlier && !repertoire.run_id.empty() && earlier->repertoire().run_id == repertoire.run_id;
+    fresh = same_run ? std::make_shared<AdaptivePlanner>(repertoire, *earlier)
+                     : std::make_shared<AdaptivePlanner>(repertoire, options_);
+  } catch (const std::exception& error) {
+    return {false, error.what() + kept};
+  }
+  publisher_ = publisher;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  planner_ = fresh;
+  return {true, "Planning with " + std::to_string(fresh->planner()->usableEntries()) + " of " +
+                    std::to_string(fresh->repertoire().entries.size()) + " entries of run " +
+                    fresh->repertoire().run_id + ", published by " + publisher + "."};
+}
+
+}  // namespace hexapod

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hexapod_repertoire/Repertoire.h"
+#include "planning/adaptive_planner.h"
+
+namespace hexapod {
+
+/// The repertoire that is planned with: of one publisher, for this robot.
+///
+/// A second publisher is refused while the first is there. A newer message of the same run keeps
+/// what was learned of the robot on its walks. From any thread, take() from one at a time.
+class RepertoireInUse {
+ public:
+  struct Taken {
+    bool in_use = false;
+    std::string message;  ///< a sentence for the log
+  };
+
+  /// `robot_id`: digest of the robot description, or empty: any robot's will do. `publishers`: the
+  /// nodes that publish repertoires now.
+  RepertoireInUse(const PlannerOptions& options, std::string robot_id,
+                  std::function<std::vector<std::string>()> publishers);
+
+  /// A message of `publisher`. Refused, the one before stays in use. Takes some 50 ms.
+  Taken take(const hexapod_repertoire::Repertoire& message, const std::string& publisher);
+
+  /// Null while there is none.
+  std::shared_ptr<AdaptivePlanner> planner() const;
+
+ private:
+  std::string whyRefused(const hexapod_repertoire::Repertoire& message,
+                         const std::string& publisher) const;
+
+  PlannerOptions options_;
+  std::string robot_id_;
+  std::function<std::vector<std::string>()> publishers_;
+  std::string publisher_;  // of the one in use; thread of take()
+  mutable std::mutex mutex_;
+  std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_
+};
+
+}  // namespace hexapod

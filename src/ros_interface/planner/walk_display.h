@@ -1,0 +1,42 @@
+#pragma once
+
+#include <nav_msgs/Path.h>
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <string>
+#include <vector>
+
+#include "ros_interface/common/clock.h"
+#include "ros_interface/display/markers.h"
+#include "ros_interface/planner/walk_watcher.h"
+
+namespace hexapod {
+
+/// The path of a plan, a pose every 2 cm along its arcs.
+nav_msgs::Path pathOf(const Pose2& start, const PlanResult& plan, const std::string& frame,
+                      const ros::Time& stamp);
+
+/// Tells everybody of walks: current_goal, plan, plan_markers (latched) and ~step_report.
+class WalkDisplay : public WalkWatcher {
+ public:
+  /// `frame` is the frame of every pose that is published. The clock must outlive it.
+  WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, const Clock& clock,
+              const std::string& frame);
+
+  void showGoal(const Pose2& goal) override;
+  void showPlan(const Pose2& start, const PlanResult& plan, const std::vector<Pose2>& walked,
+                const Pose2& goal, double xy_tolerance_m) override;
+  void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
+                  const Pose2& before, const Pose2& after) override;
+
+ private:
+  const Clock& clock_;
+  std::string frame_;
+  ros::Publisher plan_publisher_;
+  ros::Publisher goal_publisher_;
+  ros::Publisher marker_publisher_;
+  ros::Publisher step_publisher_;
+};
+
+}  // namespace hexapod

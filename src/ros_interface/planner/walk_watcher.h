@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planning/planner.h"
+
+namespace hexapod {
+
+/// Who is shown walks. Poses are in the global frame. From any thread.
+class WalkWatcher {
+ public:
+  virtual ~WalkWatcher() = default;
+
+  virtual void showGoal(const Pose2& goal) = 0;
+
+  /// The plan from `start`, the poses measured after each behaviour so far, the goal's ring.
+  virtual void showPlan(const Pose2& start, const PlanResult& plan,
+                        const std::vector<Pose2>& walked, const Pose2& goal,
+                        double xy_tolerance_m) = 0;
+
+  /// Behaviour `number` (from 1) of a goal: what was predicted and what was measured.
+  virtual void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
+                          const Pose2& before, const Pose2& after) = 0;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,244 @@
+#include "ros_interface/planner/walker.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "planning/arc_repertoire.h"
+#include "ros_interface/fake_clock.h"
+#include "ros_interface/planner/fakes.h"
+
+namespace hexapod {
+namespace {
+
+hexapod_repertoire::Repertoire arcMessage() {
+  Repertoire repertoire = arcRepertoire(300, 1);
+  repertoire.run_id = "run";
+  return toMsg(repertoire, ros::Time(1.0));
+}
+
+// Walks with an executor, a pose and a clock that are made up: no master, no waiting.
+class WalkerTest : public testing::Test {
+ protected:
+  WalkerTest() { repertoire_.take(arcMessage(), "/server"); }
+
+  void submit(Client& client, const GoalRequest& request, const std::string& id = "") {
+    walker_->submit(request, client.listener(), id);
+  }
+  WalkReport walk(const GoalRequest& request) {
+    Client client;
+    submit(client, request);
+    const WalkReport report = client.waitForEnd();
+    EXPECT_EQ(client.ends(), 1u);
+    return report;
+  }
+
+  PlannerNodeOptions options_;
+  FakeClock clock_;
+  FakePoseSource poses_;
+  FakePlayer player_{poses_};
+  FakeWatcher watcher_;
+  RepertoireInUse repertoire_{PlannerOptions(), "", [] { return std::vector<std::string>(); }};
+  std::unique_ptr<Walker> walker_ = std::make_unique<Walker>(
+      Walker::Means{options_, clock_, poses_, repertoire_, player_, watcher_});
+};
+
+TEST_F(WalkerTest, WalksToAGoalAndReportsEveryBehaviour) {
+  poses_.set({Pose2{0.3, -0.2, 0.7}, ""});
+  Client client;
+  submit(client, goalAt(1.2, 0.9, -1.0));
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_TRUE(client.wasAccepted());
+  EXPECT_GT(report.steps, 1u);
+  EXPECT_EQ(watcher_.steps, static_cast<int>(report.steps));
+  EXPECT_EQ(player_.begun, static_cast<int>(report.steps));
+  EXPECT_LE(distance(*poses_.latest().pose, {1.2, 0.9, -1.0}), options_.planner.xy_tolerance_m);
+  EXPECT_NEAR(report.final_pose.pose.position.x, poses_.latest().pose->x_m, 1e-12);
+  EXPECT_LE(report.final_xy_error_m, options_.planner.xy_tolerance_m);
+  EXPECT_NEAR(report.plan.poses.front().pose.position.x, 0.3, 1e-9);
+}
+
+TEST_F(WalkerTest, RefusesAtOnceWhatCannotBeExecutedAndSaysWhatToDo) {
+  player_.becomeUnready("The executor is disarmed; call executor/arm.");
+  Client client;
+  submit(client, goalAt(1.0, 0.0, 0.0));
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::EXECUTOR_NOT_READY);
+  EXPECT_NE(report.message.find("executor/arm"), std::string::npos);
+  EXPECT_FALSE(client.wasAccepted());
+  EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(WalkerTest, RefusesBadGoalsWithTheirReason) {
+  GoalRequest bad = goalAt(1.0, 0.0, 0.0);
+  bad.xy_tolerance_m = -1.0;
+  EXPECT_EQ(walk(bad).code, GoalCode::INVALID_GOAL);
+  bad.xy_tolerance_m = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(walk(bad).code, GoalCode::INVALID_GOAL);
+  EXPECT_EQ(walk(goalAt(std::numeric_limits<double>::infinity(), 0.0, 0.0)).code,
+            GoalCode::INVALID_GOAL);
+  EXPECT_EQ(walk(goalAt(1000.0, 0.0, 0.0)).code, GoalCode::INVALID_GOAL);
+  poses_.set({std::nullopt, "The robot's pose is lost."});
+  EXPECT_EQ(walk(goalAt(1.0, 0.0, 0.0)).code, GoalCode::POSE_LOST);
+  EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(WalkerTest, ACancelWhileAGoalIsExaminedIsNotLost) {
+  poses_.held_x_m = 5.0;
+  Client client;
+  submit(client, goalAt(5.0, 0.0, 0.0));
+  EXPECT_TRUE(walker_->cancelAll());
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::PREEMPTED);
+  EXPECT_FALSE(walker_->cancelAll());
+  walker_.reset();
+  EXPECT_EQ(client.ends(), 1u);
+  EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(WalkerTest, ACancelInMidBehaviourIsAnsweredAndBreaksItOff) {
+  player_.held = true;
+  Client client;
+  submit(client, goalAt(3.0, 0.0, 0.0), "far");
+  while (player_.begun == 0) std::this_thread::yield();
+  EXPECT_TRUE(walker_->cancel("far"));
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::PREEMPTED);
+  // The next goal is walked to as if nothing had been.
+  player_.held = false;
+  EXPECT_EQ(walk(goalAt(0.5, 0.2, 0.5)).code, GoalCode::SUCCEEDED);
+  EXPECT_FALSE(client.heardProgressAfterTheEnd());
+  EXPECT_EQ(client.ends(), 1u);
+}
+
+TEST_F(WalkerTest, AnOlderGoalThatTakesLongerToExamineNeverWins) {
+  poses_.held_x_m = 5.0;
+  Client older, newer;
+  submit(older, goalAt(5.0, 0.0, 0.0));
+  submit(newer, goalAt(0.4, 0.1, 0.4));
+  EXPECT_EQ(newer.waitForEnd().code, GoalCode::SUCCEEDED);
+  poses_.releaseGoals();
+  EXPECT_EQ(older.waitForEnd().code, GoalCode::PREEMPTED);
+  walker_.reset();
+  EXPECT_FALSE(older.wasAccepted());
+  EXPECT_LE(distance(*poses_.latest().pose, {0.4, 0.1, 0.4}), options_.planner.xy_tolerance_m);
+}
+
+TEST_F(WalkerTest, TheNewestGoalTakesOverWhenTheBehaviourHasEnded) {
+  player_.held = true;
+  Client older, newer;
+  submit(older, goalAt(6.0, 0.0, 0.0));
+  while (player_.begun == 0) std::this_thread::yield();
+  submit(newer, goalAt(0.8, 0.4, 0.9));
+  newer.waitForAcceptance();
+  EXPECT_EQ(older.ends(), 0u);
+  player_.held = false;
+  EXPECT_EQ(older.waitForEnd().code, GoalCode::PREEMPTED);
+  EXPECT_EQ(older.waitForEnd().steps, 1u);
+  EXPECT_EQ(newer.waitForEnd().code, GoalCode::SUCCEEDED);
+}
+
+TEST_F(WalkerTest, AGoalGivenBeforeAStopDoesNotBeginAfterIt) {
+  player_.held = true;
+  Client walked, waiting;
+  submit(walked, goalAt(6.0, 0.0, 0.0));
+  while (player_.begun == 0) std::this_thread::yield();
+  submit(waiting, goalAt(1.0, 0.0, 0.0));
+  waiting.waitForAcceptance();
+  player_.becomeUnready("stopped");
+  player_.becomeUnready("");  // somebody armed at once
+  player_.held = false;
+  EXPECT_EQ(waiting.waitForEnd().code, GoalCode::EXECUTOR_NOT_READY);
+  EXPECT_EQ(waiting.waitForEnd().steps, 0u);
+}
+
+TEST_F(WalkerTest, TellsWhatEndedAWalk) {
+  using End = BehaviorPlayer::End;
+  for (const auto& [end, code] : {std::pair{End::kFault, GoalCode::EXECUTOR_FAULT},
+                                  std::pair{End::kCancelled, GoalCode::EXECUTOR_FAULT},
+                                  std::pair{End::kNotReady, GoalCode::EXECUTOR_NOT_READY},
+                                  std::pair{End::kTimeStands, GoalCode::POSE_LOST}}) {
+    player_.outcome = [end = end] { return BehaviorPlayer::Result{end, "because", {}, 0}; };
+    const WalkReport report = walk(goalAt(2.0, 0.0, 0.0));
+    EXPECT_EQ(report.code, code);
+    EXPECT_NE(report.message.find("because"), std::string::npos);
+    EXPECT_EQ(report.steps, 0u);
+  }
+}
+
+TEST_F(WalkerTest, BreaksOffWhenThePoseIsLostInMidBehaviour) {
+  player_.held = true;
+  Client client;
+  submit(client, goalAt(3.0, 0.0, 0.0));
+  while (player_.begun == 0) std::this_thread::yield();
+  poses_.set({std::nullopt, "The robot's pose is lost."});
+  while (client.ends() == 0) clock_.pass(kSecond_ns / 10);
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::POSE_LOST);
+}
+
+TEST_F(WalkerTest, DoesNotLearnFromABehaviourOfWhichCommandsWereSkipped) {
+  const auto planner = repertoire_.planner();
+  const auto before = planner->planner();
+  player_.outcome = [this] {
+    // What was played led somewhere else, again and again.
+    poses_.set({*poses_.latest().pose * Pose2{0.05, 0.02, 0.3}, ""});
+    return BehaviorPlayer::Result{BehaviorPlayer::End::kPlayed, "", ros::Time(1.0), 17};
+  };
+  walk(goalAt(0.9, 0.3, 0.5));
+  EXPECT_EQ(watcher_.steps, 0);
+  EXPECT_GT(player_.begun, 1);
+  EXPECT_EQ(planner->planner(), before);
+}
+
+TEST_F(WalkerTest, PlanOnlyIsShownAndMovesNothing) {
+  player_.becomeUnready("disarmed");
+  GoalRequest request = goalAt(1.0, 0.5, 0.0);
+  request.plan_only = true;
+  const WalkReport report = walk(request);
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_GT(report.plan.poses.size(), 10u);
+  EXPECT_EQ(watcher_.plans, 1);
+  EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(WalkerTest, LeavingAnswersEverybodyAndBeginsNothing) {
+  player_.held = true;
+  poses_.held_x_m = 5.0;
+  Client walked, waiting, examined;
+  submit(walked, goalAt(3.0, 0.0, 0.0));
+  while (player_.begun == 0) std::this_thread::yield();
+  submit(waiting, goalAt(1.0, 0.0, 0.0));
+  waiting.waitForAcceptance();
+  submit(examined, goalAt(5.0, 0.0, 0.0));
+  walker_->close(GoalCode::SHUTDOWN, "The planner is shutting down.");
+  for (Client* client : {&walked, &waiting, &examined}) {
+    EXPECT_EQ(client->waitForEnd().code, GoalCode::SHUTDOWN);
+    EXPECT_EQ(client->ends(), 1u);
+  }
+  Client late;
+  submit(late, goalAt(1.0, 0.0, 0.0));
+  EXPECT_EQ(late.waitForEnd().code, GoalCode::SHUTDOWN);
+  walker_.reset();
+  EXPECT_EQ(player_.begun, 1);
+}
+
+// A planner that has just started.
+TEST_F(WalkerTest, WaitsForTheRepertoireRightAfterItsStartAndNotLater) {
+  RepertoireInUse none(PlannerOptions(), "", [] { return std::vector<std::string>(); });
+  Walker walker({options_, clock_, poses_, none, player_, watcher_});
+  clock_.on_step = [&] {
+    if (!none.planner() && clock_.steadyNow_ns() > 2 * kSecond_ns) none.take(arcMessage(), "/s");
+  };
+  Client early;
+  walker.submit(goalAt(0.5, 0.0, 0.0), early.listener());
+  EXPECT_EQ(early.waitForEnd().code, GoalCode::SUCCEEDED);
+  clock_.on_step = nullptr;
+  RepertoireInUse still_none(PlannerOptions(), "", [] { return std::vector<std::string>(); });
+  Walker other({options_, clock_, poses_, still_none, player_, watcher_});
+  Client in_vain;
+  other.submit(goalAt(0.5, 0.0, 0.0), in_vain.listener());
+  EXPECT_EQ(in_vain.waitForEnd().code, GoalCode::NO_REPERTOIRE);
+}
+
+}  // namespace
+}  // namespace hexapod
