@@ -8,6 +8,7 @@
 #include "common/random.h"
 #include "common/text.h"
 #include "evaluation/robust_worlds.h"
+#include "geometry/arc.h"
 #include "simulation/rollout.h"
 
 namespace hexapod {
@@ -34,7 +35,7 @@ TrialResult resultOf(const std::string& name, const std::vector<Entry>& entries,
       ++trial.failed;
       continue;
     }
-    endings.push_back({outcome.end_pose, outcome.orientation_error_rad});
+    endings.push_back({outcome.end_pose, orientationError(outcome.end_pose)});
     shifts_m.push_back(distance(outcome.end_pose, entries[i].expectedPose()));
   }
   trial.metrics = measure(endings);

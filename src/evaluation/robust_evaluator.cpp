@@ -49,7 +49,7 @@ std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genome
   std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
   if (!options_.isOn()) return outcomes;
   for (Outcome& outcome : outcomes) {
-    if (outcome.walked()) outcome.orientation_error_rad += options_.first_look_handicap_rad;
+    if (outcome.walked()) outcome.cost += options_.first_look_handicap_rad;
   }
   return outcomes;
 }
@@ -114,12 +114,12 @@ Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {
   double error_rad = 0.0;
   for (const Outcome& outcome : outcomes) {
     if (!outcome.walked()) return outcome;
-    error_rad += outcome.orientation_error_rad / static_cast<double>(outcomes.size());
+    error_rad += outcome.cost / static_cast<double>(outcomes.size());
   }
   const Execution execution = summarize(outcomes);
   Outcome result = walkedTo(execution.mean);
   error_rad += options_.spread_weight_rad_per_m * execution.spread_m;
-  result.orientation_error_rad = std::round(error_rad * 1e5) / 1e5;
+  result.cost = std::round(error_rad * 1e5) / 1e5;
   return result;
 }
 

@@ -19,8 +19,8 @@ constexpr double kEnoughAdded = 0.02;
 /// The outcome, or kDiverged when a number of it is unusable.
 Outcome checked(const Outcome& outcome) {
   if (!outcome.walked()) return outcome;
-  const bool usable = isFinite(outcome.end_pose) && std::isfinite(outcome.orientation_error_rad) &&
-                      outcome.orientation_error_rad >= 0.0;
+  const bool usable =
+      isFinite(outcome.end_pose) && std::isfinite(outcome.cost) && outcome.cost >= 0.0;
   return usable ? outcome : Outcome{};
 }
 
@@ -164,8 +164,7 @@ bool BrEvolution::isPromising(const Individual& individual,
     if (neighbourhood.objectives(image)[0] > novelty_threshold_m_) return true;
     const Pose2& end = image.outcome.end_pose;
     const auto nearest = archive_.nearest(end.x_m, end.y_m, 1);
-    return !nearest.empty() && image.outcome.orientation_error_rad <
-                                   archive_.entries()[nearest[0].slot].orientation_error_rad;
+    return !nearest.empty() && image.outcome.cost < archive_.entries()[nearest[0].slot].cost;
   });
 }
 

@@ -38,7 +38,7 @@ const Entry& Breeder::bestAround(const Entry& entry) const {
   const Pose2& end = entry.end_pose;
   for (const Neighbour& near : archive_.nearest(end.x_m, end.y_m, archive_tournament_)) {
     const Entry& rival = archive_.entries()[near.slot];
-    if (rival.orientation_error_rad < best->orientation_error_rad) best = &rival;
+    if (rival.cost < best->cost) best = &rival;
   }
   return *best;
 }

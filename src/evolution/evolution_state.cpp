@@ -36,7 +36,7 @@ std::string lineOf(const Individual& individual) {
   std::string line = std::to_string(individual.id) + " " + std::to_string(individual.evaluation) +
                      " " + toString(individual.genotype) + " " + toString(outcome.verdict);
   for (const double number : {outcome.end_pose.x_m, outcome.end_pose.y_m, outcome.end_pose.yaw_rad,
-                              outcome.orientation_error_rad, individual.standing.diversity}) {
+                              outcome.cost, individual.standing.diversity}) {
     line += " " + exactText(number);
   }
   return line + " " + std::to_string(individual.standing.rank) + " " +
@@ -88,7 +88,7 @@ Individual individualFrom(const std::string& line) {
   individual.outcome.end_pose.x_m = words.real();
   individual.outcome.end_pose.y_m = words.real();
   individual.outcome.end_pose.yaw_rad = words.real();
-  individual.outcome.orientation_error_rad = words.real();
+  individual.outcome.cost = words.real();
   individual.standing.diversity = words.real();
   individual.standing.rank = static_cast<std::size_t>(words.integer());
   individual.looks = static_cast<int>(words.integer());

@@ -7,7 +7,7 @@ Entry entryOf(const Individual& individual) {
   entry.id = individual.id;
   entry.genome = individual.genome;
   entry.end_pose = individual.outcome.end_pose;
-  entry.orientation_error_rad = individual.outcome.orientation_error_rad;
+  entry.cost = individual.outcome.cost;
   entry.evaluation = individual.evaluation;
   return entry;
 }
@@ -18,7 +18,7 @@ Individual individualOf(const Entry& entry, int looks) {
   individual.evaluation = entry.evaluation;
   individual.genotype = entry.genome;
   individual.genome = entry.genome;
-  individual.outcome = {Verdict::kWalked, entry.end_pose, entry.orientation_error_rad};
+  individual.outcome = {Verdict::kWalked, entry.end_pose, entry.cost};
   individual.looks = looks;
   return individual;
 }

@@ -33,7 +33,7 @@ Objectives Neighbourhood::objectives(const Individual& individual) const {
   double outperformed = 0.0;
   for (const Rival& rival : nearest) {
     sum_m += std::sqrt(rival.squared_distance_m2);
-    if (rival.orientation_error_rad > individual.outcome.orientation_error_rad) outperformed += 1.0;
+    if (rival.cost > individual.outcome.cost) outperformed += 1.0;
   }
   return {sum_m / static_cast<double>(nearest.size()), outperformed};
 }
@@ -54,7 +54,7 @@ std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& indivi
   for (const Neighbour& neighbour : archive_->nearest(end.x_m, end.y_m, neighbours_ + 1)) {
     const Entry& entry = archive_->entries()[neighbour.slot];
     if (entry.genome == individual.genome) continue;
-    rivals.push_back({neighbour.squared_distance_m2, neighbour.id, entry.orientation_error_rad});
+    rivals.push_back({neighbour.squared_distance_m2, neighbour.id, entry.cost});
   }
   const double enough_m2 = rivals.size() < neighbours_ ? std::numeric_limits<double>::infinity()
                                                        : rivals.back().squared_distance_m2;
@@ -63,7 +63,7 @@ std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& indivi
     const double dy = other.outcome.end_pose.y_m - end.y_m;
     const double squared_m2 = dx * dx + dy * dy;
     if (squared_m2 > enough_m2 || other.genome == individual.genome) continue;
-    rivals.push_back({squared_m2, other.id, other.outcome.orientation_error_rad});
+    rivals.push_back({squared_m2, other.id, other.outcome.cost});
   }
   const auto closer = [](const Rival& a, const Rival& b) {
     return std::tie(a.squared_distance_m2, a.id) < std::tie(b.squared_distance_m2, b.id);

@@ -40,7 +40,7 @@ class Neighbourhood {
   struct Rival {
     double squared_distance_m2;
     std::int64_t id;
-    double orientation_error_rad;
+    double cost;
   };
   std::vector<Rival> rivals(const Individual& individual) const;
 

@@ -34,7 +34,7 @@ Outcome walkedTo(const Pose2& start_from_end) {
   if (!isFinite(pose)) return outcome;
   outcome.verdict = Verdict::kWalked;
   outcome.end_pose = pose;
-  outcome.orientation_error_rad = rounded(orientationError(pose));
+  outcome.cost = rounded(orientationError(pose));
   return outcome;
 }
 

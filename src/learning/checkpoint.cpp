@@ -55,11 +55,11 @@ std::int64_t simulationsFrom(const LearnerState& state) {
   return *number;
 }
 
-/// A line: "id genome x_m y_m yaw_rad orientation_error_rad evaluation".
+/// A line: "id genome x_m y_m yaw_rad cost evaluation".
 std::string lineOf(const Entry& entry) {
   std::string line = std::to_string(entry.id) + " " + toString(entry.genome);
-  for (const double number : {entry.end_pose.x_m, entry.end_pose.y_m, entry.end_pose.yaw_rad,
-                              entry.orientation_error_rad}) {
+  for (const double number :
+       {entry.end_pose.x_m, entry.end_pose.y_m, entry.end_pose.yaw_rad, entry.cost}) {
     line += " " + exactText(number);
   }
   return line + " " + std::to_string(entry.evaluation) + "\n";
@@ -85,7 +85,7 @@ Entry entryFrom(const std::string& line) {
   words >> genome;
   entry.genome = genomeFromString(genome, genome.size());
   entry.end_pose = {number(), number(), number()};
-  entry.orientation_error_rad = number();
+  entry.cost = number();
   entry.evaluation = integer();
   return entry;
 }

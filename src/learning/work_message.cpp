@@ -23,8 +23,8 @@ class Writer {
     count(values.size());
     for (const Outcome& outcome : values) {
       number(static_cast<std::int32_t>(outcome.verdict));
-      for (const double value : {outcome.end_pose.x_m, outcome.end_pose.y_m,
-                                 outcome.end_pose.yaw_rad, outcome.orientation_error_rad}) {
+      for (const double value :
+           {outcome.end_pose.x_m, outcome.end_pose.y_m, outcome.end_pose.yaw_rad, outcome.cost}) {
         number(value);
       }
     }
@@ -65,7 +65,7 @@ class Reader {
       outcome.end_pose.x_m = number<double>();
       outcome.end_pose.y_m = number<double>();
       outcome.end_pose.yaw_rad = number<double>();
-      outcome.orientation_error_rad = number<double>();
+      outcome.cost = number<double>();
     }
     return values;
   }

@@ -35,7 +35,7 @@ OfferResult Archive::offer(const Entry& candidate, double novelty_m, double nove
   const auto nearest = index_.nearest(candidate.end_pose.x_m, candidate.end_pose.y_m, 1);
   if (nearest.empty()) return {AddStatus::kRejected, std::nullopt};
   const std::size_t slot = nearest.front().slot;
-  if (candidate.orientation_error_rad >= entries_[slot].orientation_error_rad) {
+  if (candidate.cost >= entries_[slot].cost) {
     return {AddStatus::kRejected, std::nullopt};
   }
   return {AddStatus::kSwapped, replace(slot, candidate)};
@@ -46,10 +46,9 @@ void Archive::requireValid(const Entry& entry) const {
   if (!isFinite(entry.end_pose)) {
     throw std::invalid_argument(name + " has an end pose that is not finite.");
   }
-  if (!std::isfinite(entry.orientation_error_rad) || entry.orientation_error_rad < 0.0) {
-    throw std::invalid_argument(name + " has an orientation error of " +
-                                std::to_string(entry.orientation_error_rad) +
-                                " rad: expected a finite angle of 0 or more.");
+  if (!std::isfinite(entry.cost) || entry.cost < 0.0) {
+    throw std::invalid_argument(name + " has a cost of " + std::to_string(entry.cost) +
+                                ": expected a finite number of 0 or more.");
   }
   if (ids_.count(entry.id) > 0) {
     throw std::invalid_argument(name + " occurs twice: ids must be unique in an archive.");

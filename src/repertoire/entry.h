@@ -5,6 +5,7 @@
 
 #include "gait/genome.h"
 #include "gait/outcome.h"
+#include "geometry/arc.h"
 #include "geometry/pose2.h"
 
 namespace hexapod {
@@ -23,11 +24,13 @@ struct Entry {
   std::int64_t id =
       0;  ///< unique in its repertoire, stable over swaps' lifetime: a swap gets a new id
   Genome genome;
-  Pose2 end_pose;  ///< as learned, in the start base_footprint
-  double orientation_error_rad = 0.0;
+  Pose2 end_pose;                      ///< as learned, in the start base_footprint
+  double cost = 0.0;                   ///< what it won its place with, see Outcome
   std::int64_t evaluation = 0;         ///< number of the candidate that gave this entry, from 1
   std::optional<Execution> execution;  ///< empty until validated
 
+  /// Of the end pose as learned, 0 .. pi [rad].
+  double orientationErrorRad() const { return orientationError(end_pose); }
   /// The pose a planner should expect: executed mean if validated, else as learned.
   const Pose2& expectedPose() const { return execution ? execution->mean : end_pose; }
   /// False when validation saw it fail.

@@ -12,7 +12,7 @@ std::vector<Ending> learnedEndings(const std::vector<Entry>& entries) {
   std::vector<Ending> endings;
   endings.reserve(entries.size());
   for (const Entry& entry : entries) {
-    endings.push_back({entry.end_pose, orientationError(entry.end_pose)});
+    endings.push_back({entry.end_pose, entry.orientationErrorRad()});
   }
   return endings;
 }
@@ -22,9 +22,7 @@ std::vector<Ending> expectedEndings(const std::vector<Entry>& entries) {
   endings.reserve(entries.size());
   for (const Entry& entry : entries) {
     if (!entry.usable()) continue;
-    const double error_rad =
-        entry.execution ? orientationError(entry.execution->mean) : entry.orientation_error_rad;
-    endings.push_back({entry.expectedPose(), error_rad});
+    endings.push_back({entry.expectedPose(), orientationError(entry.expectedPose())});
   }
   return endings;
 }

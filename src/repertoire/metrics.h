@@ -14,8 +14,7 @@ struct Ending {
   double orientation_error_rad = 0.0;
 };
 
-/// Of every entry, as learned: the error is that of its end pose. (The one that the entry competed
-/// with has a share for its spread when it was learned under perturbations.)
+/// Of every entry, as learned.
 std::vector<Ending> learnedEndings(const std::vector<Entry>& entries);
 
 /// Of every usable entry, as a planner should expect it: the executed mean where there is one, its

@@ -10,7 +10,7 @@ namespace {
 std::string lineOf(const Entry& entry) {
   std::string line = std::to_string(entry.id) + "," + toString(entry.genome);
   for (const double value : {entry.end_pose.x_m, entry.end_pose.y_m, entry.end_pose.yaw_rad,
-                             entry.orientation_error_rad}) {
+                             entry.orientationErrorRad(), entry.cost}) {
     line += "," + exactText(value);
   }
   line += "," + std::to_string(entry.evaluation);
@@ -29,7 +29,8 @@ void exportCsv(const Repertoire& repertoire, std::ostream& out) {
   std::vector<Entry> entries = repertoire.entries;
   std::sort(entries.begin(), entries.end(),
             [](const Entry& a, const Entry& b) { return a.id < b.id; });
-  out << "id,genome,x_m,y_m,yaw_rad,orientation_error_rad,evaluation,executed_x_m,executed_y_m,"
+  out << "id,genome,x_m,y_m,yaw_rad,orientation_error_rad,cost,evaluation,executed_x_m,executed_y_"
+         "m,"
          "executed_yaw_rad,spread_m,spread_rad,trials,falls\n";
   for (const Entry& entry : entries) out << lineOf(entry) << '\n';
 }

@@ -109,7 +109,7 @@ Entry entryAt(const SqliteStatement& row, std::size_t gene_count) {
          "'" + row.bytes(1).substr(0, 100) + "' (" + error.what() + ")");
   }
   entry.end_pose = {realAt(row, 2, name), realAt(row, 3, name), realAt(row, 4, name)};
-  entry.orientation_error_rad = realAt(row, 5, name);
+  entry.cost = realAt(row, 5, name);
   entry.evaluation = integerAt(row, 6, name);
   entry.execution = executionAt(row, name);
   const std::string problem = problemOf(entry, gene_count);
@@ -122,8 +122,10 @@ std::vector<Entry> readEntries(SqliteDatabase& database, std::size_t gene_count)
   std::vector<Entry> entries;
   std::set<std::int64_t> ids;
   std::set<Genome> genomes;
-  SqliteStatement rows(database,
-                       std::string("SELECT ") + kEntryColumns + " FROM entries ORDER BY id");
+  const bool is_version_1 = database.integer("PRAGMA user_version") == 1;
+  SqliteStatement rows(database, std::string("SELECT ") +
+                                     (is_version_1 ? kEntryColumnsOfVersion1 : kEntryColumns) +
+                                     " FROM entries ORDER BY id");
   while (rows.step()) {
     entries.push_back(entryAt(rows, gene_count));
     const Entry& entry = entries.back();

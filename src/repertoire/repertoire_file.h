@@ -10,7 +10,8 @@ namespace hexapod {
 /// The hand-over between learning and walking: one SQLite 3 database per repertoire.
 ///
 /// PRAGMA application_id = kApplicationId, user_version = kFormatVersion; tables
-///   entries  one row per entry; genome as digits 0-4; the executed_ and spread_ columns are NULL
+///   entries  one row per entry; genome as digits 0-4; orientation_error_rad is that of the pose,
+///            cost what the entry won its place with; the executed_ and spread_ columns are NULL
 ///            until the entry was validated
 ///   meta     key and value as text: seed, run_id, robot_id, generation, evaluations,
 ///            behavior_duration_s, joint_names (comma separated), gene_count, format_version,
@@ -21,7 +22,10 @@ namespace hexapod {
 ///   state    key and value: what the learner needs to go on, opaque here
 /// A checkpoint is one transaction, so a killed process leaves the previous one.
 constexpr int kApplicationId = 0x48585250;  // "HXRP"
-constexpr int kFormatVersion = 1;
+constexpr int kFormatVersion = 2;
+/// Version 1 has no cost: its orientation_error_rad is what version 2 calls so. Such files are
+/// read, not written.
+constexpr int kOldestFormatVersion = 1;
 
 /// What a learner keeps beside the repertoire in order to go on: texts by name.
 using LearnerState = std::map<std::string, std::string>;

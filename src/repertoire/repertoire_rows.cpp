@@ -17,7 +17,7 @@ void add(const Entry& entry, Digest& digest) {
   digest.add(entry.id);
   digest.add(std::string(entry.genome.begin(), entry.genome.end()));
   add(entry.end_pose, digest);
-  digest.add(entry.orientation_error_rad);
+  digest.add(entry.cost);
   digest.add(entry.evaluation);
   digest.add(static_cast<std::int64_t>(entry.execution.has_value()));
   if (!entry.execution) return;
@@ -96,8 +96,8 @@ std::string problemOf(const Entry& entry, std::size_t gene_count) {
     }
   }
   if (!isFinite(entry.end_pose)) return "has an end pose that is not finite";
-  if (!isSpread(entry.orientation_error_rad)) {
-    return "has an orientation error of " + exactText(entry.orientation_error_rad) + " rad";
+  if (!isSpread(entry.cost)) {
+    return "has a cost of " + exactText(entry.cost);
   }
   return entry.execution ? problemOf(*entry.execution) : "";
 }

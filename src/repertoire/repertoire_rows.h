@@ -10,8 +10,13 @@ namespace hexapod {
 
 /// What reader and writer of the repertoire file must agree on, beside its format.
 
-/// Columns of the table entries in the order in which they are written and read.
+/// Columns of the table entries in the order in which they are written and, but for the last, which
+/// follows from the pose, read.
 constexpr const char* kEntryColumns =
+    "id, genome, x_m, y_m, yaw_rad, cost, evaluation, executed_x_m, executed_y_m, "
+    "executed_yaw_rad, spread_m, spread_rad, trials, falls, orientation_error_rad";
+/// The same in a file of format version 1, in which the cost had the name of the orientation error.
+constexpr const char* kEntryColumnsOfVersion1 =
     "id, genome, x_m, y_m, yaw_rad, orientation_error_rad, evaluation, executed_x_m, executed_y_m, "
     "executed_yaw_rad, spread_m, spread_rad, trials, falls";
 

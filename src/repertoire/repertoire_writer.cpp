@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 constexpr const char* kTables =
     "CREATE TABLE IF NOT EXISTS entries("
     "id INTEGER PRIMARY KEY, genome TEXT NOT NULL UNIQUE, x_m REAL NOT NULL, y_m REAL NOT NULL, "
-    "yaw_rad REAL NOT NULL, orientation_error_rad REAL NOT NULL, evaluation INTEGER NOT NULL, "
+    "yaw_rad REAL NOT NULL, orientation_error_rad REAL NOT NULL, cost REAL NOT NULL, "
+    "evaluation INTEGER NOT NULL, "
     "executed_x_m REAL, executed_y_m REAL, executed_yaw_rad REAL, spread_m REAL, spread_rad REAL, "
     "trials INTEGER NOT NULL, falls INTEGER NOT NULL);"
     "CREATE TABLE IF NOT EXISTS meta(key TEXT PRIMARY KEY, value TEXT NOT NULL);"
@@ -91,16 +92,17 @@ void bindExecution(const Entry& entry, SqliteStatement& insert) {
 
 void insertEntries(const std::vector<Entry>& entries, SqliteDatabase& database) {
   SqliteStatement insert(database, std::string("INSERT INTO entries(") + kEntryColumns +
-                                       ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
+                                       ") VALUES (?,?,?,?,?,?,?,?,?,?,?,?,?,?,?)");
   for (const Entry& entry : entries) {
     insert.bind(1, entry.id);
     insert.bind(2, toString(entry.genome));
     insert.bind(3, entry.end_pose.x_m);
     insert.bind(4, entry.end_pose.y_m);
     insert.bind(5, entry.end_pose.yaw_rad);
-    insert.bind(6, entry.orientation_error_rad);
+    insert.bind(6, entry.cost);
     insert.bind(7, entry.evaluation);
     bindExecution(entry, insert);
+    insert.bind(15, entry.orientationErrorRad());
     insert.run();
   }
 }

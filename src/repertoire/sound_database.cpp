@@ -57,8 +57,10 @@ void requireOurFormat(SqliteDatabase& database) {
          "another program's database (application id " + std::to_string(application) + ")");
   }
   const std::int64_t version = database.integer("PRAGMA user_version");
-  if (version != kFormatVersion) {
-    fail("format version " + std::to_string(kFormatVersion), "version " + std::to_string(version));
+  if (version < kOldestFormatVersion || version > kFormatVersion) {
+    fail("format version " + std::to_string(kOldestFormatVersion) + " to " +
+             std::to_string(kFormatVersion),
+         "version " + std::to_string(version));
   }
   // A view of that name could go on for ever.
   for (const std::string table : {"entries", "meta", "history", "state"}) {

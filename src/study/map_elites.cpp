@@ -36,7 +36,7 @@ void MapElites::step(std::int64_t most_candidates) {
     entry.id = entry.evaluation = evaluations_;
     entry.genome = genomes[i];
     entry.end_pose = outcome.end_pose;
-    entry.orientation_error_rad = outcome.orientation_error_rad;
+    entry.cost = outcome.cost;
     offer(entry);
   }
 }
@@ -53,7 +53,7 @@ void MapElites::offer(const Entry& entry) {
   const auto [place, is_new] = places_.emplace(cellOf(entry), elites_.size());
   if (is_new) {
     elites_.push_back(entry);
-  } else if (entry.orientation_error_rad < elites_[place->second].orientation_error_rad) {
+  } else if (entry.cost < elites_[place->second].cost) {
     elites_[place->second] = entry;
   }
 }

@@ -77,8 +77,8 @@ void RunRecorder::writeEntries(const Method& method) {
     for (const Entry& entry : entries) {
       entries_ << name << ',' << std::to_string(method.evaluations()) << ','
                << exactText(entry.end_pose.x_m) << ',' << exactText(entry.end_pose.y_m) << ','
-               << exactText(entry.end_pose.yaw_rad) << ',' << exactText(entry.orientation_error_rad)
-               << ',' << toString(entry.genome) << '\n';
+               << exactText(entry.end_pose.yaw_rad) << ',' << exactText(entry.cost) << ','
+               << toString(entry.genome) << '\n';
     }
   }
   entries_written_ = method.evaluations();

@@ -57,8 +57,7 @@ void TargetEvolution::step(std::int64_t most_candidates) {
 std::optional<Individual> TargetEvolution::nearest() const {
   const Individual* best = nullptr;
   const auto key = [this](const Individual& individual) {
-    return std::make_tuple(distance(individual), individual.outcome.orientation_error_rad,
-                           individual.id);
+    return std::make_tuple(distance(individual), individual.outcome.cost, individual.id);
   };
   for (const Individual& individual : population_) {
     if (!individual.outcome.walked() || individual.standing.rank > 0) continue;
@@ -70,8 +69,7 @@ std::optional<Individual> TargetEvolution::nearest() const {
 std::optional<Individual> TargetEvolution::bestAligned(double radius_m) const {
   const Individual* best = nullptr;
   const auto key = [this](const Individual& individual) {
-    return std::make_tuple(individual.outcome.orientation_error_rad, distance(individual),
-                           individual.id);
+    return std::make_tuple(individual.outcome.cost, distance(individual), individual.id);
   };
   for (const Individual& individual : population_) {
     if (!individual.outcome.walked() || distance(individual) > radius_m) continue;
@@ -88,7 +86,7 @@ double TargetEvolution::distance(const Individual& individual) const {
 Objectives TargetEvolution::objectives(const Individual& individual) const {
   constexpr double kWorst = -std::numeric_limits<double>::infinity();
   if (!individual.outcome.walked()) return {kWorst, kWorst};
-  return {-distance(individual), -individual.outcome.orientation_error_rad};
+  return {-distance(individual), -individual.outcome.cost};
 }
 
 }  // namespace hexapod

@@ -75,7 +75,7 @@ std::vector<Entry> spreadArchive(std::size_t size, std::size_t gene_count) {
     entry.genome = genome;
     const Outcome outcome = anywhere(random);
     entry.end_pose = outcome.end_pose;
-    entry.orientation_error_rad = 0.01 * outcome.orientation_error_rad;
+    entry.cost = 0.01 * outcome.cost;
     entries.push_back(entry);
   }
   return entries;

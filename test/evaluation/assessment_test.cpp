@@ -27,7 +27,7 @@ class Assessment : public testing::Test {
       entry.id = static_cast<std::int64_t>(i);
       entry.genome = genomes[i];
       entry.end_pose = outcomes[i].end_pose;
-      entry.orientation_error_rad = outcomes[i].orientation_error_rad;
+      entry.cost = outcomes[i].cost;
       entries_.push_back(entry);
     }
     ASSERT_GT(entries_.size(), 5u);

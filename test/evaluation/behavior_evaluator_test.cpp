@@ -22,7 +22,7 @@ void expectEqual(const std::vector<Outcome>& found, const std::vector<Outcome>& 
     EXPECT_EQ(found[i].end_pose.x_m, expected[i].end_pose.x_m) << i;
     EXPECT_EQ(found[i].end_pose.y_m, expected[i].end_pose.y_m) << i;
     EXPECT_EQ(found[i].end_pose.yaw_rad, expected[i].end_pose.yaw_rad) << i;
-    EXPECT_EQ(found[i].orientation_error_rad, expected[i].orientation_error_rad) << i;
+    EXPECT_EQ(found[i].cost, expected[i].cost) << i;
   }
 }
 

@@ -59,7 +59,7 @@ void expectSame(const Outcome& a, const Outcome& b) {
   EXPECT_EQ(a.end_pose.x_m, b.end_pose.x_m);
   EXPECT_EQ(a.end_pose.y_m, b.end_pose.y_m);
   EXPECT_EQ(a.end_pose.yaw_rad, b.end_pose.yaw_rad);
-  EXPECT_EQ(a.orientation_error_rad, b.orientation_error_rad);
+  EXPECT_EQ(a.cost, b.cost);
 }
 
 TEST(CachedEvaluator, GivesTheOutcomesOfTheEvaluatorBehindIt) {

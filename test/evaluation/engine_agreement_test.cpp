@@ -82,7 +82,7 @@ TEST(EngineAgreement, GivesTheSameRepertoireFromTheSameSeed) {
     EXPECT_EQ(entries[i].end_pose.x_m, expected[i].end_pose.x_m);
     EXPECT_EQ(entries[i].end_pose.y_m, expected[i].end_pose.y_m);
     EXPECT_EQ(entries[i].end_pose.yaw_rad, expected[i].end_pose.yaw_rad);
-    EXPECT_EQ(entries[i].orientation_error_rad, expected[i].orientation_error_rad);
+    EXPECT_EQ(entries[i].cost, expected[i].cost);
   }
 }
 

@@ -48,7 +48,7 @@ void expectNear(const std::vector<Outcome>& a, const std::vector<Outcome>& b, do
     EXPECT_NEAR(a[i].end_pose.x_m, b[i].end_pose.x_m, tolerance);
     EXPECT_NEAR(a[i].end_pose.y_m, b[i].end_pose.y_m, tolerance);
     EXPECT_NEAR(a[i].end_pose.yaw_rad, b[i].end_pose.yaw_rad, tolerance);
-    EXPECT_NEAR(a[i].orientation_error_rad, b[i].orientation_error_rad, tolerance);
+    EXPECT_NEAR(a[i].cost, b[i].cost, tolerance);
   }
 }
 
@@ -112,13 +112,13 @@ TEST(RobustEvaluator, GivesTheMeanAndAddsTheSpreadToTheMeanError) {
     ends.push_back(outcome.end_pose);
     mean.x_m += outcome.end_pose.x_m / 3.0;
     mean.y_m += outcome.end_pose.y_m / 3.0;
-    error_rad += outcome.orientation_error_rad / 3.0;
+    error_rad += outcome.cost / 3.0;
   }
   double squares_m2 = 0.0;
   for (const Pose2& end : ends) squares_m2 += std::pow(distance(end, mean), 2) / 3.0;
   EXPECT_NEAR(found.end_pose.x_m, mean.x_m, 1e-5);
   EXPECT_NEAR(found.end_pose.y_m, mean.y_m, 1e-5);
-  EXPECT_NEAR(found.orientation_error_rad, error_rad + 3.0 * std::sqrt(squares_m2), 2e-5);
+  EXPECT_NEAR(found.cost, error_rad + 3.0 * std::sqrt(squares_m2), 2e-5);
 }
 
 TEST(RobustEvaluator, GivesTheSameOnAnyNumberOfThreadsAndInAnyBatch) {
@@ -173,8 +173,7 @@ TEST(RobustEvaluator, HandicapsFirstLooksButNotSecondOnes) {
   expectNear(looks(worlds, genomes, options), fair, 1e-9);
   BehaviorEvaluator nominal(worlds, shortBehavior());
   RobustEvaluator robust(nominal, worlds, shortBehavior(), options, 1);
-  EXPECT_NEAR(robust.evaluate(genomes)[0].orientation_error_rad,
-              nominal.evaluate(genomes)[0].orientation_error_rad + 0.1, 1e-9);
+  EXPECT_NEAR(robust.evaluate(genomes)[0].cost, nominal.evaluate(genomes)[0].cost + 0.1, 1e-9);
 }
 
 TEST(RobustEvaluator, ScreensWithSomeOfItsRunsAndEndsAsIfItHadNot) {

@@ -46,7 +46,7 @@ class CarefulEvaluator : public AnalyticEvaluator {
   std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
     std::vector<Outcome> outcomes = AnalyticEvaluator::evaluate(genomes);
     for (Outcome& outcome : outcomes) {
-      if (outcome.walked()) outcome.orientation_error_rad *= 0.5;
+      if (outcome.walked()) outcome.cost *= 0.5;
     }
     return outcomes;
   }
@@ -58,8 +58,8 @@ class CarefulEvaluator : public AnalyticEvaluator {
     for (std::size_t i = 0; i < genomes.size(); ++i) {
       Outcome outcome = outcomeOf(genomes[i]);
       const double before = look == 2 ? 0.5 : 0.75;
-      EXPECT_EQ(previous[i].orientation_error_rad, before * outcome.orientation_error_rad);
-      if (look < looks_) outcome.orientation_error_rad *= 0.75;
+      EXPECT_EQ(previous[i].cost, before * outcome.cost);
+      if (look < looks_) outcome.cost *= 0.75;
       if (look == looks_) seen_to_the_end.insert(genomes[i]);
       const bool falls = genomes[i][0] == 4 && genomes[i][4] == 4;
       outcomes.push_back(falls ? Outcome{Verdict::kFell, {}, 0.0} : outcome);
@@ -119,7 +119,7 @@ TEST(Twins, AreEntriesThatKeepWhatTheirGenomesDo) {
     EXPECT_EQ(outcome.end_pose.x_m, entry.end_pose.x_m);
     EXPECT_EQ(outcome.end_pose.y_m, entry.end_pose.y_m);
     EXPECT_EQ(outcome.end_pose.yaw_rad, entry.end_pose.yaw_rad);
-    EXPECT_EQ(outcome.orientation_error_rad, entry.orientation_error_rad);
+    EXPECT_EQ(outcome.cost, entry.cost);
     // Ids 1, 3, 5 .. are candidates, each followed by its twin.
     EXPECT_EQ((entry.id + 1) / 2, entry.evaluation);
     twins += entry.id % 2 == 0;
@@ -185,7 +185,7 @@ TEST(ArchiveTournament, TakesTheBestAlignedOfTheEntriesAroundTheOneDrawn) {
         });
     winners.insert(
         std::min_element(around.begin(), around.begin() + 5, [](const Entry& a, const Entry& b) {
-          return a.orientation_error_rad < b.orientation_error_rad;
+          return a.cost < b.cost;
         })->genome);
   }
   ASSERT_LT(winners.size(), entries.size() / 2);
@@ -219,7 +219,7 @@ void expectOnlyFinalOutcomesInTheArchive(CarefulEvaluator& evaluator) {
   for (int generation = 0; generation < 40; ++generation) evolution.step();
   for (const Entry& entry : evolution.archive().entries()) {
     EXPECT_EQ(evaluator.seen_to_the_end.count(entry.genome), 1u);
-    EXPECT_EQ(entry.orientation_error_rad, evaluator.outcomeOf(entry.genome).orientation_error_rad);
+    EXPECT_EQ(entry.cost, evaluator.outcomeOf(entry.genome).cost);
     EXPECT_FALSE(entry.genome[0] == 4 && entry.genome[4] == 4);
   }
   EXPECT_GT(evolution.archive().size(), 50u);

@@ -125,7 +125,7 @@ TEST(BrEvolution, ArchiveNeverShrinksAndKeepsItsPromisesThroughARun) {
     const Outcome outcome = evaluator.outcomeOf(entry.genome);
     ASSERT_TRUE(outcome.walked());
     EXPECT_EQ(entry.end_pose.x_m, outcome.end_pose.x_m);
-    EXPECT_EQ(entry.orientation_error_rad, outcome.orientation_error_rad);
+    EXPECT_EQ(entry.cost, outcome.cost);
   }
 }
 

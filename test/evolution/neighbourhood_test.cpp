@@ -34,14 +34,14 @@ Objectives byDefinition(const Individual& self, const std::vector<Entry>& archiv
   for (const auto& [genome, entry] : controllers) {
     const double dx = entry.end_pose.x_m - self.outcome.end_pose.x_m;
     const double dy = entry.end_pose.y_m - self.outcome.end_pose.y_m;
-    others.emplace_back(dx * dx + dy * dy, entry.id, entry.orientation_error_rad);
+    others.emplace_back(dx * dx + dy * dy, entry.id, entry.cost);
   }
   std::sort(others.begin(), others.end());
   others.resize(std::min(others.size(), neighbours));
   Objectives result{0.0, 0.0};
   for (const auto& [squared_m2, id, error_rad] : others) {
     result[0] += std::sqrt(squared_m2);
-    result[1] += error_rad > self.outcome.orientation_error_rad ? 1.0 : 0.0;
+    result[1] += error_rad > self.outcome.cost ? 1.0 : 0.0;
   }
   result[0] /= static_cast<double>(others.size());
   return result;
@@ -109,7 +109,7 @@ TEST_F(NeighbourhoodOf, AGenerationFollowsWhatMovesBetweenPoolAndArchive) {
                     left.evaluation,
                     left.genome,
                     left.genome,
-                    {Verdict::kWalked, left.end_pose, left.orientation_error_rad},
+                    {Verdict::kWalked, left.end_pose, left.cost},
                     {},
                     true};
       neighbourhood.moveToPool(individual);

@@ -29,8 +29,8 @@ TEST(Outcome, CoordinatesAreRoundedToTenMicrometresAndTenMicroradians) {
 TEST(Outcome, OrientationErrorIsThatOfTheArc) {
   // The arc to (1, 1) arrives at 90 degrees; the robot looks at 80.
   const Outcome outcome = walkedTo({1.0, 1.0, 80.0 * M_PI / 180.0});
-  EXPECT_NEAR(outcome.orientation_error_rad, 10.0 * M_PI / 180.0, 2e-5);
-  EXPECT_EQ(walkedTo({0.5, 0.0, 0.0}).orientation_error_rad, 0.0);
+  EXPECT_NEAR(outcome.cost, 10.0 * M_PI / 180.0, 2e-5);
+  EXPECT_EQ(walkedTo({0.5, 0.0, 0.0}).cost, 0.0);
 }
 
 TEST(Outcome, MirroredPosesTieExactly) {
@@ -42,7 +42,7 @@ TEST(Outcome, MirroredPosesTieExactly) {
     for (const Pose2& twin :
          {Pose2{pose.x_m, -pose.y_m, -pose.yaw_rad}, Pose2{-pose.x_m, pose.y_m, -pose.yaw_rad},
           Pose2{-pose.x_m, -pose.y_m, pose.yaw_rad}}) {
-      EXPECT_EQ(walkedTo(twin).orientation_error_rad, outcome.orientation_error_rad);
+      EXPECT_EQ(walkedTo(twin).cost, outcome.cost);
       EXPECT_EQ(std::abs(walkedTo(twin).end_pose.x_m), std::abs(outcome.end_pose.x_m));
       EXPECT_EQ(std::abs(walkedTo(twin).end_pose.yaw_rad), std::abs(outcome.end_pose.yaw_rad));
     }

@@ -85,12 +85,12 @@ TEST(Symmetry, MirrorsEndPosesAndNothingElseOfAnOutcome) {
   for (std::size_t i = 0; i < symmetries.size(); ++i) {
     const Outcome image = symmetries[i].image(outcome);
     EXPECT_EQ(image.verdict, Verdict::kWalked);
-    EXPECT_EQ(image.orientation_error_rad, outcome.orientation_error_rad);
+    EXPECT_EQ(image.cost, outcome.cost);
     EXPECT_EQ(image.end_pose.x_m, expected[i].x_m);
     EXPECT_EQ(image.end_pose.y_m, expected[i].y_m);
     EXPECT_EQ(image.end_pose.yaw_rad, expected[i].yaw_rad);
     // The mirrored arc is as well met as the arc.
-    EXPECT_EQ(walkedTo(image.end_pose).orientation_error_rad, outcome.orientation_error_rad);
+    EXPECT_EQ(walkedTo(image.end_pose).cost, outcome.cost);
   }
   EXPECT_EQ(symmetries[0].image(Outcome{Verdict::kFell, {}, 0.0}).verdict, Verdict::kFell);
 }

@@ -84,7 +84,7 @@ void expectSame(const std::vector<Outcome>& a, const std::vector<Outcome>& b) {
     EXPECT_EQ(a[i].end_pose.x_m, b[i].end_pose.x_m);
     EXPECT_EQ(a[i].end_pose.y_m, b[i].end_pose.y_m);
     EXPECT_EQ(a[i].end_pose.yaw_rad, b[i].end_pose.yaw_rad);
-    EXPECT_EQ(a[i].orientation_error_rad, b[i].orientation_error_rad);
+    EXPECT_EQ(a[i].cost, b[i].cost);
   }
 }
 

@@ -190,9 +190,9 @@ TEST_F(ResumeTest, RefusesAnotherFormatVersion) {
   const LearnOptions options = smallRun("a.db");
   killAfterGeneration(options, 2);
   SqliteDatabase(options.repertoire_file, SqliteDatabase::Mode::kWrite)
-      .execute("PRAGMA user_version = 2");
+      .execute("PRAGMA user_version = 3");
   const std::string sentence = complaintOf([&] { learn(resumed(options)); });
-  EXPECT_TRUE(mentions(sentence, "version 2") && mentions(sentence, "version 1")) << sentence;
+  EXPECT_TRUE(mentions(sentence, "version 3") && mentions(sentence, "version 2")) << sentence;
 }
 
 TEST_F(ResumeTest, RefusesARepertoireWithoutTheStateOfItsLearner) {

@@ -21,7 +21,7 @@ Entry entryAt(std::int64_t id, double x_m, double y_m, double error_rad) {
   entry.id = id;
   entry.genome = randomGenome(random);
   entry.end_pose = {x_m, y_m, 0.0};
-  entry.orientation_error_rad = error_rad;
+  entry.cost = error_rad;
   return entry;
 }
 
@@ -91,7 +91,7 @@ TEST(Archive, NeverShrinksAndNeverWorsensWhateverIsOffered) {
     ASSERT_EQ(after.size(), before.size() + (result.status == AddStatus::kAdded ? 1 : 0));
     std::size_t changed = 0;
     for (std::size_t slot = 0; slot < before.size(); ++slot) {
-      ASSERT_LE(after[slot].orientation_error_rad, before[slot].orientation_error_rad);
+      ASSERT_LE(after[slot].cost, before[slot].cost);
       if (after[slot].id == before[slot].id) continue;
       ++changed;
       // Brute force: nothing was nearer to the candidate than what had to leave.

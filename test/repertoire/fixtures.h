@@ -58,7 +58,7 @@ inline std::vector<Entry> randomEntries(std::size_t count, Random& random,
     entry.id = static_cast<std::int64_t>(entries.size()) + 1;
     entry.end_pose = {random.uniform(-half_width_m, half_width_m),
                       random.uniform(-half_width_m, half_width_m), random.uniform(-3.0, 3.0)};
-    entry.orientation_error_rad = random.uniform(0.0, 3.0);
+    entry.cost = random.uniform(0.0, 3.0);
     entry.evaluation = 10 * entry.id;
     if (entry.id % 2 == 0) {
       entry.execution = Execution{{random.uniform(), random.uniform(), random.uniform()},

@@ -107,8 +107,8 @@ TEST(Metrics, MedianIsTheMiddleValueOrTheMeanOfTheMiddleTwo) {
 
 TEST(Metrics, ExpectedEndingsAreTheExecutedOnesAndLeaveOutWhatFell) {
   Entry learned;
-  learned.end_pose = {0.3, 0.0, 0.0};
-  learned.orientation_error_rad = 0.25;
+  learned.end_pose = {0.3, 0.0, 0.25};
+  learned.cost = 1.5;
   Entry executed = learned;
   executed.execution = Execution{{0.2, 0.2, 0.0}, 0.01, 0.02, 8, 0};
   Entry fallen = learned;

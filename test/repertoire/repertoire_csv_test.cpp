@@ -14,8 +14,9 @@ TEST(ExportCsv, WritesOneLinePerEntryByIdAndLeavesOutWhatIsNotKnown) {
   Entry second;
   second.id = 2;
   second.genome = {0, 1, 2, 3, 4, 0, 0, 0};
-  second.end_pose = {0.5, -0.25, 0.125};
-  second.orientation_error_rad = 1.5;
+  // Straight back, so that the arc arrives with heading 0.
+  second.end_pose = {-0.5, 0.0, -0.125};
+  second.cost = 1.5;
   second.evaluation = 1234;
   Entry first = second;
   first.id = 1;
@@ -24,10 +25,10 @@ TEST(ExportCsv, WritesOneLinePerEntryByIdAndLeavesOutWhatIsNotKnown) {
   std::ostringstream out;
   exportCsv(repertoire, out);
   EXPECT_EQ(out.str(),
-            "id,genome,x_m,y_m,yaw_rad,orientation_error_rad,evaluation,executed_x_m,"
+            "id,genome,x_m,y_m,yaw_rad,orientation_error_rad,cost,evaluation,executed_x_m,"
             "executed_y_m,executed_yaw_rad,spread_m,spread_rad,trials,falls\n"
-            "1,01234000,0.5,-0.25,0.125,1.5,1234,0.25,0,-1,0.5,2,8,1\n"
-            "2,01234000,0.5,-0.25,0.125,1.5,1234,,,,,,0,0\n");
+            "1,01234000,-0.5,0,-0.125,0.125,1.5,1234,0.25,0,-1,0.5,2,8,1\n"
+            "2,01234000,-0.5,0,-0.125,0.125,1.5,1234,,,,,,0,0\n");
 }
 
 TEST(ExportCsv, IsTheSameInEveryLocale) {

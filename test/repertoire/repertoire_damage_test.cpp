@@ -95,9 +95,9 @@ TEST_F(DamagedFile, AnotherProgramsDatabaseIsRefused) {
 }
 
 TEST_F(DamagedFile, OtherFormatVersionsAreRefused) {
-  for (const int version : {0, 2, 99}) {
+  for (const int version : {0, 3, 99}) {
     edit("PRAGMA user_version = " + std::to_string(version));
-    expectComplaint({"format version 1", "version " + std::to_string(version)});
+    expectComplaint({"format version 1 to 2", "version " + std::to_string(version)});
   }
 }
 
@@ -183,7 +183,7 @@ TEST_F(DamagedFile, NothingThatCouldNotBeLoadedIsSaved) {
   spoilt([](Entry& entry) { entry.id = 1; });
   spoilt([](Entry& entry) { entry.genome = sampleRepertoire().entries[0].genome; });
   spoilt([](Entry& entry) { entry.end_pose.x_m = std::numeric_limits<double>::quiet_NaN(); });
-  spoilt([](Entry& entry) { entry.orientation_error_rad = -1.0; });
+  spoilt([](Entry& entry) { entry.cost = -1.0; });
   spoilt([](Entry& entry) { entry.execution = Execution{{0, 0, 0}, -1.0, 0.0, 2, 0}; });
   EXPECT_EQ(complaint(), "");
 }

@@ -21,7 +21,7 @@ void expectEqual(const Entry& a, const Entry& b) {
   EXPECT_EQ(a.id, b.id);
   EXPECT_EQ(a.genome, b.genome);
   expectEqual(a.end_pose, b.end_pose);
-  EXPECT_EQ(a.orientation_error_rad, b.orientation_error_rad);
+  EXPECT_EQ(a.cost, b.cost);
   EXPECT_EQ(a.evaluation, b.evaluation);
   ASSERT_EQ(a.execution.has_value(), b.execution.has_value());
   if (!a.execution) return;
@@ -83,7 +83,7 @@ TEST(RepertoireFile, KeepsTheSignAndSizeOfExtremeNumbers) {
   const TemporaryFolder folder;
   Repertoire repertoire = sampleRepertoire(1);
   repertoire.entries[0].end_pose = {-0.0, 5e-324, -1.7976931348623157e308};
-  repertoire.entries[0].orientation_error_rad = 2.0;
+  repertoire.entries[0].cost = 2.0;
   saveRepertoire(folder.file("a.db"), repertoire);
   expectEqual(loadRepertoire(folder.file("a.db")), repertoire);
 }
@@ -104,6 +104,30 @@ TEST(RepertoireFile, RowsDoNotDependOnTheOrderOfTheEntriesNorOnTheLocale) {
               0)
         << table;
   }
+}
+
+TEST(RepertoireFile, TellsTheOrientationErrorOfTheStoredPoseBesideTheCost) {
+  const TemporaryFolder folder;
+  Repertoire repertoire = sampleRepertoire(1);
+  repertoire.entries[0].end_pose = {0.5, 0.0, 0.25};  // straight ahead: the arc arrives with 0
+  repertoire.entries[0].cost = 0.75;
+  saveRepertoire(folder.file("a.db"), repertoire);
+  SqliteDatabase database(folder.file("a.db"), SqliteDatabase::Mode::kRead);
+  EXPECT_EQ(database.integer("SELECT count(*) FROM entries WHERE orientation_error_rad = 0.25 AND "
+                             "cost = 0.75"),
+            1);
+}
+
+TEST(RepertoireFile, OfVersion1IsReadWithItsOrientationErrorAsCost) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("a.db"), sampleRepertoire());
+  SqliteDatabase database(folder.file("a.db"), SqliteDatabase::Mode::kWrite);
+  database.execute(
+      "CREATE TABLE old AS SELECT id, genome, x_m, y_m, yaw_rad, cost AS orientation_error_rad, "
+      "evaluation, executed_x_m, executed_y_m, executed_yaw_rad, spread_m, spread_rad, trials, "
+      "falls FROM entries; DROP TABLE entries; ALTER TABLE old RENAME TO entries; "
+      "PRAGMA user_version = 1");
+  expectEqual(loadRepertoire(folder.file("a.db")), sampleRepertoire());
 }
 
 TEST(RepertoireFile, CanBeReadWithOrdinaryTools) {

@@ -92,8 +92,9 @@ TEST(RepertoireWriter, ReplacesAFileOfAnotherVersionOnlyWhenItIsMovedAway) {
   const TemporaryFolder folder;
   saveRepertoire(folder.file("a.db"), sampleRepertoire());
   SqliteDatabase(folder.file("a.db"), SqliteDatabase::Mode::kWrite)
-      .execute("PRAGMA user_version = 2");
-  EXPECT_TRUE(mentions(complaintOf([&] { saveRepertoire(folder.file("a.db"), {}); }), "version 2"));
+      .execute("PRAGMA user_version = 1");
+  EXPECT_TRUE(
+      mentions(complaintOf([&] { saveRepertoire(folder.file("a.db"), {}); }), "format version 1"));
 }
 
 TEST(RepertoireWriter, GoesOnWhenItsFileOrFolderWasRemoved) {

@@ -39,12 +39,12 @@ TEST(MapElites, KeepsTheBestAlignedOfEachCell) {
   std::map<std::pair<long, long>, double> best_rad;  // by brute force over all that was seen
   for (const Outcome& outcome : evaluator.seen) {
     if (!outcome.walked()) continue;
-    const auto cell = best_rad.emplace(cellOf(outcome.end_pose), outcome.orientation_error_rad);
-    cell.first->second = std::min(cell.first->second, outcome.orientation_error_rad);
+    const auto cell = best_rad.emplace(cellOf(outcome.end_pose), outcome.cost);
+    cell.first->second = std::min(cell.first->second, outcome.cost);
   }
   ASSERT_EQ(elites.size(), best_rad.size());
   for (const Entry& elite : elites) {
-    EXPECT_EQ(elite.orientation_error_rad, best_rad.at(cellOf(elite.end_pose)));
+    EXPECT_EQ(elite.cost, best_rad.at(cellOf(elite.end_pose)));
   }
 }
 

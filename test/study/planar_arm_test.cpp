@@ -49,7 +49,7 @@ double sparseness_m(const std::vector<Entry>& entries) {
 
 double medianUnevenness(const std::vector<Entry>& entries) {
   std::vector<double> values;
-  for (const Entry& entry : entries) values.push_back(entry.orientation_error_rad);
+  for (const Entry& entry : entries) values.push_back(entry.cost);
   return *median(values);
 }
 

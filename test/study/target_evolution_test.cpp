@@ -16,7 +16,7 @@ double distance(const Individual& individual) {
   return std::hypot(end.x_m - kTarget.x_m, end.y_m - kTarget.y_m);
 }
 
-double error(const Individual& individual) { return individual.outcome.orientation_error_rad; }
+double error(const Individual& individual) { return individual.outcome.cost; }
 
 TargetEvolution after(int generations, Evaluator& evaluator) {
   TargetEvolution evolution({}, 24, evaluator, Random(2), kTarget);

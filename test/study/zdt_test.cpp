@@ -50,7 +50,7 @@ TEST_P(KnownFront, IsReachedAndCovered) {
   std::vector<bool> covered(10, false);
   for (const Individual& individual : evolution.population()) {
     const double f1 = individual.outcome.end_pose.x_m;
-    sum += individual.outcome.orientation_error_rad - GetParam()(f1, 1.0);
+    sum += individual.outcome.cost - GetParam()(f1, 1.0);
     covered[std::min<std::size_t>(9, static_cast<std::size_t>(10.0 * f1))] = true;
   }
   // Mean distance above the front, of whose range each tenth has somebody.

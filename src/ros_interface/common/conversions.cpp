@@ -16,7 +16,8 @@ hexapod_repertoire::RepertoireEntry toMsg(const Entry& entry) {
   message.id = entry.id;
   message.genome = entry.genome;
   message.end_pose = toPose2DMsg(entry.end_pose);
-  message.orientation_error_rad = entry.orientation_error_rad;
+  message.orientation_error_rad = entry.orientationErrorRad();
+  message.cost = entry.cost;
   const Arc arc = arcThrough(entry.end_pose.x_m, entry.end_pose.y_m);
   message.curvature_per_m = arc.curvature_per_m;
   message.arc_length_m = arc.length_m;
@@ -40,7 +41,7 @@ Entry fromMsg(const hexapod_repertoire::RepertoireEntry& message) {
   entry.id = message.id;
   entry.genome = message.genome;
   entry.end_pose = fromMsg(message.end_pose);
-  entry.orientation_error_rad = message.orientation_error_rad;
+  entry.cost = message.cost;
   entry.evaluation = message.evaluation;
   if (message.trials > 0) {
     entry.execution =
@@ -60,7 +61,7 @@ std::string problemOf(const Entry& entry, std::size_t gene_count) {
     if (level >= kGeneLevels)
       return "has a gene of level " + std::to_string(level) + ", 0..4 exist";
   }
-  const bool finite = isFinite(entry.end_pose) && std::isfinite(entry.orientation_error_rad) &&
+  const bool finite = isFinite(entry.end_pose) && std::isfinite(entry.cost) &&
                       (!entry.execution || (isFinite(entry.execution->mean) &&
                                             std::isfinite(entry.execution->spread_m) &&
                                             std::isfinite(entry.execution->spread_rad)));

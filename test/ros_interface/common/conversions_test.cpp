@@ -24,7 +24,7 @@ Repertoire sample() {
   learned.id = 1;
   learned.genome = {0, 1, 2, 3};
   learned.end_pose = {0.3, 0.1, 0.6};
-  learned.orientation_error_rad = 0.05;
+  learned.cost = 0.05;
   learned.evaluation = 17;
   Entry validated = learned;
   validated.id = 2;
