@@ -1,0 +1,215 @@
+#!/usr/bin/python3
+"""What clients of a walking robot rely on when something happens; no simulated time."""
+import math
+import os
+import signal
+import sys
+import time
+
+import pytest
+import rospy
+from actionlib_msgs.msg import GoalStatus
+from hexapod_repertoire.msg import ExecutorState
+from hexapod_repertoire.srv import GoToResponse
+from nav_msgs.msg import Path
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+import walking_session as ws  # noqa: E402
+from walking_client import WalkingClient, goal_message  # noqa: E402
+
+BEHAVIOR_S = 3.9
+UNARMED = (ExecutorState.DISARMED, ExecutorState.STOPPED)
+
+
+@pytest.fixture(scope="module")
+def session():
+    with ws.WalkingSession() as a_session:
+        yield a_session
+
+
+@pytest.fixture(scope="module")
+def client(session):  # pylint: disable=unused-argument
+    return WalkingClient()
+
+
+@pytest.fixture(autouse=True)
+def ready(session, client):
+    client.wait_ready()
+    yield
+    if session.is_running("master"):
+        client.cancel_everything()
+
+
+def ahead(client, distance_m, frame="odom"):
+    """A goal ahead of the robot, in odom although the robot stands anywhere there."""
+    if frame == "base_footprint":
+        return goal_message(distance_m, 0.1, 0.2, frame)
+    x, y, yaw = client.pose()
+    return goal_message(x + distance_m * math.cos(yaw), y + distance_m * math.sin(yaw), yaw)
+
+
+def answer(asked, timeout_s=60.0):
+    return ws.wait_for(lambda: asked.answers, timeout_s, "an answer of " + asked.door)[0]
+
+
+def code(name):
+    return getattr(GoToResponse, name)
+
+
+def expect_standstill(client):
+    """The robot does not move for as long as a behaviour takes."""
+    ws.wait_for(lambda: client.state != ExecutorState.WALKING, 5.0, "the robot to stop")
+    ws.wait_for(lambda: client.state == ExecutorState.READY, 5.0, "the executor to be READY")
+    before = client.pose()
+    end = time.monotonic() + BEHAVIOR_S
+    while time.monotonic() < end:
+        assert client.state == ExecutorState.READY
+        assert math.dist(client.pose()[:2], before[:2]) < 0.02
+        time.sleep(0.02)
+
+
+@pytest.mark.parametrize("after_s", [0.0, 0.02, 0.1, 2.0])
+def test_a_cancel_is_never_lost_and_answered_at_once(client, after_s):
+    far = client.walk_to(ahead(client, 12.0))
+    time.sleep(after_s)  # when in the life of the goal, not a wait for something
+    client.cancel(far)
+    assert answer(far).code == code("PREEMPTED")
+    assert far.answered_s - far.cancelled_s < 1.0  # 0.2 s on a machine that is not this busy
+    ws.wait_for(lambda: far.handle.get_goal_status() == GoalStatus.PREEMPTED, 5.0, "PREEMPTED")
+
+
+def test_after_a_cancel_while_planning_the_robot_stays(client):
+    far = client.walk_to(ahead(client, 15.0))
+    client.cancel_everything()
+    assert answer(far).code == code("PREEMPTED")
+    expect_standstill(client)
+    assert len(far.answers) == 1
+
+
+def test_a_newer_near_goal_wins_over_an_older_far_one(client):
+    older = client.go_to(ahead(client, 15.0), wait=True)
+    time.sleep(0.02)
+    newer = client.go_to(ahead(client, 0.3), wait=True)
+    assert answer(newer).code == code("SUCCEEDED"), answer(newer).message
+    assert answer(older).code == code("PREEMPTED")
+    assert newer.error()[0] < 0.08
+
+
+def test_cancelling_one_goal_by_its_id_leaves_the_others(client):
+    walked = client.walk_to(ahead(client, 0.4, "base_footprint"))
+    planned = client.walk_to(ahead(client, 14.0), plan_only=True)
+    client.cancel(planned)
+    answer(planned)
+    assert answer(walked).code == code("SUCCEEDED"), answer(walked).message
+
+
+def test_plan_only_publishes_its_plan_and_does_not_move(client):
+    plans = []
+    subscriber = rospy.Subscriber("plan", Path, plans.append)
+    ws.wait_for(lambda: subscriber.get_num_connections() > 0, 10.0, "the planner's plan")
+    target = ahead(client, 1.0)
+    planned = answer(client.walk_to(target, plan_only=True))
+    assert planned.code == code("SUCCEEDED"), planned.message
+    end = ws.wait_for(lambda: plans and plans[-1].poses[-1].pose, 5.0, "a plan")
+    assert math.hypot(end.position.x - target.pose.position.x,
+                      end.position.y - target.pose.position.y) < 0.061
+    expect_standstill(client)
+
+
+def test_a_robot_that_cannot_be_commanded_is_not_sent_anywhere(client):
+    for stop, word in (("executor/stop", "stopped"), ("executor/disarm", "disarmed")):
+        assert client.call(stop).success
+        ws.wait_for(lambda: client.state in UNARMED, 5.0, "the executor to stop")
+        for ask in (client.walk_to, lambda goal: client.go_to(goal, wait=True)):
+            asked = ask(ahead(client, 0.5))
+            refusal = answer(asked, 5.0)
+            assert refusal.code == code("EXECUTOR_NOT_READY")
+            assert word in refusal.message and "executor/arm" in refusal.message
+        client.simple_goal(ahead(client, 0.5))
+        ws.wait_for(lambda: client.call("executor/arm").success, 10.0, "the executor to arm")
+        client.wait_ready()
+        expect_standstill(client)
+
+
+def test_a_stop_in_mid_walk_ends_the_goal_for_good(client):
+    walked = client.walk_to(ahead(client, 3.0))
+    ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
+    client.call("executor/stop")
+    client.call("executor/arm")
+    assert answer(walked, 5.0).code in (code("EXECUTOR_FAULT"), code("EXECUTOR_NOT_READY"))
+    client.wait_ready()
+    expect_standstill(client)
+
+
+def test_a_second_publisher_is_an_error_and_the_first_stays_in_use(session, client):
+    session.set_param("/other_server/repertoire_file", str(session.folder / "small.db"))
+    session.start("repertoire_server", "other_server")
+    try:
+        ws.wait_for(lambda: "Two nodes publish a repertoire: /repertoire_server and /other_server"
+                    in session.log("planner"), 10.0, "the error")
+    finally:
+        session.leave("other_server")
+    assert answer(client.go_to(ahead(client, 0.3), wait=True)).code == code("SUCCEEDED")
+
+
+@pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
+def test_a_dead_executor_is_told_within_two_seconds(session, client, number):
+    walked = client.walk_to(ahead(client, 3.0))
+    waiting = client.go_to(ahead(client, 3.0), wait=True)
+    ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
+    gone_s = time.monotonic()
+    session.send_signal("executor", number)
+    ended = answer(waiting, 10.0)
+    assert ended.code in (code("EXECUTOR_FAULT"), code("EXECUTOR_NOT_READY")), ended.message
+    assert waiting.answered_s - gone_s < 3.0  # 2 s on a machine that is not this busy
+    assert answer(walked).code in (code("EXECUTOR_FAULT"), code("PREEMPTED"))
+    refused = client.go_to(ahead(client, 0.3), wait=True)
+    assert answer(refused, 5.0).code == code("EXECUTOR_NOT_READY")
+    session.kill("executor")
+    session.start("executor")
+    client.state = None
+    ws.wait_for(lambda: client.state is not None, 20.0, "the executor")
+    ws.wait_for(lambda: client.call("executor/arm").success or client.state == ExecutorState.READY, 20.0,
+                "the executor to arm")
+
+
+def test_a_dead_robot_is_told_within_two_seconds(session, client):
+    walked = client.walk_to(ahead(client, 3.0))
+    ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
+    gone_s = time.monotonic()
+    session.kill("simulated_robot")
+    assert answer(walked, 10.0).code in (code("EXECUTOR_FAULT"), code("POSE_LOST"))
+    assert walked.answered_s - gone_s < 3.0
+    session.start("simulated_robot")
+    ws.wait_for(lambda: client.call("executor/arm").success, 20.0, "the executor to arm")
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_leaving_planner_answers_everybody_and_leaves_in_time(session, client, number):
+    walked = client.walk_to(ahead(client, 3.0))
+    ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
+    waiting = client.go_to(ahead(client, 15.0), wait=True)
+    exit_code, took_s = session.leave("planner", number)
+    assert exit_code == 0
+    assert took_s < 2.5
+    assert answer(walked, 5.0).code in (code("SHUTDOWN"), code("PREEMPTED"))
+    assert answer(waiting, 5.0).code in (code("SHUTDOWN"), code("PREEMPTED"))
+    session.start("planner")
+    expect_standstill(client)
+
+
+def test_the_first_goal_right_after_the_start_is_walked_to(session, client):
+    session.leave("planner")
+    session.start("planner")
+    rospy.wait_for_service("go_to", 20.0)
+    assert answer(client.go_to(ahead(client, 0.3), wait=True)).code == code("SUCCEEDED")
+
+
+def test_without_its_master_the_planner_tells_and_leaves(session, client):
+    walked = client.walk_to(ahead(client, 3.0))
+    ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
+    gone_s = time.monotonic()
+    session.kill("master")
+    assert answer(walked, 10.0).code == code("SHUTDOWN")
+    assert walked.answered_s - gone_s < 3.0
+    assert session.process("planner").wait(5.0) == 3
