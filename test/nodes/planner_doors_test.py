@@ -6,12 +6,15 @@ import signal
 import sys
 import time
 
+import actionlib
 import pytest
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from hexapod_repertoire.msg import ExecutorState
 from hexapod_repertoire.srv import GoToResponse
+from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import Path
+from nav_msgs.srv import GetPlan, GetPlanRequest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import walking_session as ws  # noqa: E402
@@ -101,6 +104,29 @@ def test_cancelling_one_goal_by_its_id_leaves_the_others(client):
     client.cancel(planned)
     answer(planned)
     assert answer(walked).code == code("SUCCEEDED"), answer(walked).message
+
+
+def test_a_client_of_move_base_walks_cancels_and_plans(client):
+    move_base = actionlib.SimpleActionClient("move_base", MoveBaseAction)
+    assert move_base.wait_for_server(rospy.Duration(10.0))
+    feedback = []
+    move_base.send_goal(MoveBaseGoal(target_pose=goal_message(0.3, 0.0, 0.1, "base_link")),
+                        feedback_cb=feedback.append)
+    assert move_base.wait_for_result(rospy.Duration(60.0))
+    assert move_base.get_state() == GoalStatus.SUCCEEDED, move_base.get_goal_status_text()
+    assert feedback[0].base_position.header.frame_id == "odom"
+    move_base.send_goal(MoveBaseGoal(target_pose=goal_message(5.0, 0.0, 0.0, "base_link")))
+    ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
+    move_base.cancel_goal()
+    assert move_base.wait_for_result(rospy.Duration(5.0))
+    assert move_base.get_state() == GoalStatus.PREEMPTED
+    move_base.send_goal(MoveBaseGoal(target_pose=goal_message(math.nan, 0.0, 0.0, "base_link")))
+    assert move_base.wait_for_result(rospy.Duration(5.0))
+    assert move_base.get_state() == GoalStatus.REJECTED
+    assert "not a finite number" in move_base.get_goal_status_text()
+    plan = rospy.ServiceProxy("move_base/make_plan", GetPlan)(
+        GetPlanRequest(goal=ahead(client, 1.0), tolerance=0.1)).plan
+    assert len(plan.poses) > 10
 
 
 def test_plan_only_publishes_its_plan_and_does_not_move(client):

@@ -13,12 +13,12 @@
 
 #include "ros_interface/common/clock.h"
 #include "ros_interface/common/master_watch.h"
+#include "ros_interface/planner/action_doors.h"
 #include "ros_interface/planner/executor_topics.h"
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/service_doors.h"
 #include "ros_interface/planner/tf_pose_source.h"
 #include "ros_interface/planner/walk_display.h"
-#include "ros_interface/planner/walk_to_door.h"
 #include "ros_interface/planner/walker.h"
 
 namespace hexapod {
@@ -57,7 +57,7 @@ class PlannerNode {
   WalkDisplay display_;
   Walker walker_;
   ros::CallbackQueue goal_queue_;
-  WalkToDoor walk_to_;
+  ActionDoors actions_;
   ServiceDoors services_;
   ros::AsyncSpinner goal_spinner_;
   ros::Subscriber repertoire_subscriber_;

@@ -42,6 +42,8 @@ ServiceDoors::ServiceDoors(const ros::NodeHandle& node, const ros::NodeHandle& p
   ros::NodeHandle plans(node);
   plans.setCallbackQueue(&plan_queue_);
   make_plan_ = plans.advertiseService("make_plan", &ServiceDoors::makePlan, this);
+  move_base_make_plan_ =
+      plans.advertiseService("move_base/make_plan", &ServiceDoors::makePlan, this);
   ros::NodeHandle at_once(node);
   at_once.setCallbackQueue(&cancel_queue);
   simple_goal_ = at_once.subscribe("move_base_simple/goal", 1, &ServiceDoors::simpleGoal, this);

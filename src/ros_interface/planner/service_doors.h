@@ -13,7 +13,8 @@
 
 namespace hexapod {
 
-/// The services go_to, make_plan and ~cancel, and the topic move_base_simple/goal (rviz).
+/// The services go_to, make_plan (also as move_base/make_plan) and ~cancel, and the topic
+/// move_base_simple/goal (rviz).
 ///
 /// Calls that wait, for the end of a walk or for a plan, have threads of their own, so that they
 /// hold up nothing; a cancel is served by the queue it is given.
@@ -35,6 +36,7 @@ class ServiceDoors {
   ros::CallbackQueue plan_queue_;
   ros::ServiceServer go_to_;
   ros::ServiceServer make_plan_;
+  ros::ServiceServer move_base_make_plan_;
   ros::ServiceServer cancel_;
   ros::Subscriber simple_goal_;
   ros::AsyncSpinner walk_spinner_;

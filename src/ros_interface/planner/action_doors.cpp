@@ -1,0 +1,51 @@
+#include "ros_interface/planner/action_doors.h"
+
+namespace hexapod {
+namespace {
+
+GoalRequest walkToRequest(const hexapod_repertoire::WalkToGoal& goal) {
+  return {goal.target_pose, goal.xy_tolerance_m, goal.yaw_tolerance_rad, goal.plan_only != 0};
+}
+
+hexapod_repertoire::WalkToResult walkToResult(const WalkReport& report) {
+  hexapod_repertoire::WalkToResult result;
+  result.code = report.code;
+  result.message = report.message;
+  result.plan = report.plan;
+  result.final_pose = report.final_pose;
+  result.final_xy_error_m = static_cast<float>(report.final_xy_error_m);
+  result.final_yaw_error_rad = static_cast<float>(report.final_yaw_error_rad);
+  result.steps = report.steps;
+  return result;
+}
+
+hexapod_repertoire::WalkToFeedback walkToFeedback(const WalkProgress& progress) {
+  hexapod_repertoire::WalkToFeedback feedback;
+  feedback.pose = progress.pose;
+  feedback.step = progress.steps;
+  feedback.steps_planned = progress.steps_planned;
+  feedback.distance_left_m = static_cast<float>(progress.distance_left_m);
+  return feedback;
+}
+
+GoalRequest moveBaseRequest(const move_base_msgs::MoveBaseGoal& goal) {
+  return {goal.target_pose, 0.0, 0.0, false};
+}
+
+move_base_msgs::MoveBaseResult moveBaseResult(const WalkReport&) { return {}; }
+
+move_base_msgs::MoveBaseFeedback moveBaseFeedback(const WalkProgress& progress) {
+  move_base_msgs::MoveBaseFeedback feedback;
+  feedback.base_position = progress.pose;
+  return feedback;
+}
+
+}  // namespace
+
+ActionDoors::ActionDoors(const ros::NodeHandle& node, ros::CallbackQueueInterface& queue,
+                         Walker& walker)
+    : walk_to_(node, queue, walker, "walk_to", {walkToRequest, walkToResult, walkToFeedback}),
+      move_base_(node, queue, walker, "move_base",
+                 {moveBaseRequest, moveBaseResult, moveBaseFeedback}) {}
+
+}  // namespace hexapod
