@@ -35,6 +35,8 @@ pid_t start(const std::function<int()>& work) {
 void forEachInOwnProcess(std::size_t count, std::size_t jobs,
                          const std::function<int(std::size_t)>& work,
                          const std::function<void(std::size_t, const ProcessEnd&)>& ended) {
+  // Who started this may have ignored it: then the system keeps no end of a child.
+  std::signal(SIGCHLD, SIG_DFL);
   std::map<pid_t, std::size_t> running;
   std::size_t next = 0;
   while (next < count || !running.empty()) {
@@ -45,6 +47,10 @@ void forEachInOwnProcess(std::size_t count, std::size_t jobs,
     }
     int status = 0;
     const pid_t child = ::waitpid(-1, &status, 0);
+    if (child < 0 && errno != EINTR) {
+      throw std::runtime_error(std::string("Processes cannot be waited for: ") +
+                               std::strerror(errno) + ".");
+    }
     const auto found = running.find(child);
     if (found == running.end()) continue;
     const std::size_t i = found->second;

@@ -32,6 +32,14 @@ TEST(OwnProcesses, AreNotStoppedByTheEndOfAnother) {
   EXPECT_EQ(ends.at(2).signal, 0);
 }
 
+TEST(OwnProcesses, AreWaitedForWhereTheEndsOfChildrenAreIgnored) {
+  std::signal(SIGCHLD, SIG_IGN);
+  const auto ends = endsOf(3, 2, [](std::size_t i) { return static_cast<int>(i); });
+  std::signal(SIGCHLD, SIG_DFL);
+  ASSERT_EQ(ends.size(), 3u);
+  EXPECT_EQ(ends.at(2).exit_code, 2);
+}
+
 TEST(OwnProcesses, KeepTheirMemoryToThemselves) {
   int value = 1;
   endsOf(2, 2, [&](std::size_t) { return value = 2; });

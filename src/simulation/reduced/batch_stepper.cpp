@@ -35,7 +35,8 @@ std::vector<InstructionSet> availableInstructionSets() {
   std::vector<InstructionSet> sets{InstructionSet::kBaseline};
 #ifdef HEXAPOD_X86_KERNELS
   if (__builtin_cpu_supports("avx2")) sets.push_back(InstructionSet::kAvx2);
-  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq")) {
+  if (__builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512dq") &&
+      __builtin_cpu_supports("avx512vl")) {
     sets.push_back(InstructionSet::kAvx512);
   }
 #endif

@@ -76,6 +76,9 @@ struct ReducedModel {
   double max_base_height = 0.0;  ///< [m]
   double absurd_speed = 0.0;     ///< [m/s]: beyond is diverged
   double absurd_rate = 0.0;      ///< [rad/s]
+  /// Active sets the solver tries before it gives up; what it is left with then is no motion, and
+  /// the robot is diverged.
+  int most_solver_rounds = 200;
 };
 
 }  // namespace hexapod::reduced

@@ -24,7 +24,6 @@ template <typename Real, int kSegments>
 class Solver {
  public:
   static constexpr int kBlockRounds = 8;
-  static constexpr int kMaxRounds = 200;
 
   using Tree = TreeTerms<Real, kSegments>;
   using Contacts = FloorContacts<Real, kSegments>;
@@ -48,9 +47,13 @@ class Solver {
   const Spatial<Real>& baseMotion() const { return motion_; }
   const Real& deviation(int leg, int s) const { return rows_[leg].deviation[s]; }
 
+  /// Robots for which no set was found that keeps all bounds: the solution is not one.
+  const Mask<Real>& gaveUp() const { return gave_up_; }
+
  private:
   // All motors follow, all contacts bear.
   void start() {
+    gave_up_ = noLanes<Real>();
     free_momentum_ = tree_->momentum;
     for (int i = 0; i < model_->legs; ++i) {
       const LegTerms<Real, kSegments>& leg = tree_->leg[i];
@@ -75,7 +78,7 @@ class Solver {
   }
 
   void solveRows(bool friction) {
-    for (int round = 0; round < kMaxRounds; ++round) {
+    for (int round = 0; round < model_->most_solver_rounds; ++round) {
       solveSets(friction);
       changed_ = noLanes<Real>();
       one_by_one_ = round >= kBlockRounds;
@@ -83,6 +86,7 @@ class Solver {
       for (int leg = 0; leg < model_->legs; ++leg) checkHinges(leg);
       if (!any<Real>(changed_)) return;
     }
+    gave_up_ = gave_up_ | changed_;
   }
 
   // ODE bounds each tangent by mu times the normal force without friction.
@@ -247,6 +251,7 @@ class Solver {
   Spatial<Real> motion_;
   bool one_by_one_;
   Mask<Real> changed_;
+  Mask<Real> gave_up_;
 };
 
 }  // namespace hexapod::reduced

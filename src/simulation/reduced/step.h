@@ -110,7 +110,7 @@ inline StepFindings<Real> advance(const ReducedModel& model, double step,
   work.solver.solve(model, step, work.tree, work.contacts);
   moveBodies(model, step, work, state);
   useClearance(model, step, work);
-  findings.diverged = absurd(model, state);
+  findings.diverged = absurd(model, state) | work.solver.gaveUp();
   return findings;
 }
 
