@@ -6,6 +6,7 @@
 
 #include "geometry/arc.h"
 #include "repertoire/repertoire_file.h"
+#include "repertoire/repertoire_rows.h"
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
@@ -49,23 +50,6 @@ Entry fromMsg(const hexapod_repertoire::RepertoireEntry& message) {
                   static_cast<int>(message.trials), static_cast<int>(message.falls)};
   }
   return entry;
-}
-
-// What is wrong with an entry, or "".
-std::string problemOf(const Entry& entry, std::size_t gene_count) {
-  if (entry.genome.size() != gene_count) {
-    return "has " + std::to_string(entry.genome.size()) + " genes, the others have " +
-           std::to_string(gene_count);
-  }
-  for (const std::uint8_t level : entry.genome) {
-    if (level >= kGeneLevels)
-      return "has a gene of level " + std::to_string(level) + ", 0..4 exist";
-  }
-  const bool finite = isFinite(entry.end_pose) && std::isfinite(entry.cost) &&
-                      (!entry.execution || (isFinite(entry.execution->mean) &&
-                                            std::isfinite(entry.execution->spread_m) &&
-                                            std::isfinite(entry.execution->spread_rad)));
-  return finite ? "" : "has a pose or spread that is not finite";
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ namespace hexapod {
 hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp);
 
 /// The repertoire of a message. Checks what arrives from a wire: throws std::invalid_argument
-/// naming the entry when a genome has illegal levels or the wrong length, a pose or spread is not
-/// finite, or an id occurs twice.
+/// naming the entry when it could not stand in a file either (see problemOf), or an id occurs
+/// twice.
 Repertoire fromMsg(const hexapod_repertoire::Repertoire& message);
 
 geometry_msgs::Pose toPoseMsg(const Pose2& pose);

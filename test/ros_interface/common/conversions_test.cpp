@@ -76,10 +76,13 @@ TEST(RepertoireMessage, IsRefusedWithTheEntryNamed) {
   EXPECT_NE(refusal(wrong).find("entry 2 has 3 genes"), std::string::npos);
   wrong = message;
   wrong.entries[0].end_pose.theta = kNan;
-  EXPECT_NE(refusal(wrong).find("entry 1 has a pose"), std::string::npos);
+  EXPECT_NE(refusal(wrong).find("entry 1 has an end pose that is not finite"), std::string::npos);
   wrong = message;
   wrong.entries[1].spread_m = kNan;
-  EXPECT_NE(refusal(wrong).find("entry 2 has a pose"), std::string::npos);
+  EXPECT_NE(refusal(wrong).find("entry 2 has a spread that is negative or not finite"), std::string::npos);
+  wrong = message;
+  wrong.entries[1].falls = wrong.entries[1].trials + 1;
+  EXPECT_NE(refusal(wrong).find("falls in"), std::string::npos);
   wrong = message;
   wrong.entries[1].id = 1;
   EXPECT_NE(refusal(wrong).find("entry 1 stands there twice"), std::string::npos);
