@@ -160,6 +160,9 @@ std::vector<HistoryRow> readHistory(SqliteDatabase& database) {
 void requireDigest(const Meta& meta, const std::string& key, const std::string& content,
                    const std::string& digest) {
   const std::string stored = metaText(meta, key);
+#ifdef FUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION
+  return;  // a fuzzer would get no further
+#endif
   if (stored != digest) {
     fail(content + " with the digest " + stored, digest + ": the file was damaged or edited");
   }

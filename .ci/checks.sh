@@ -1,0 +1,151 @@
+# shellcheck shell=bash
+# The checks of `./run check`, which sources this file: check_<name> for each of all_checks. Each has
+# a build folder of its own below build/, and fails by a message and an exit code.
+# shellcheck disable=SC2154  # root and build are set by run
+
+all_checks=(format shell tidy address threads fuzz)
+
+# Seconds for each fuzzer, and for all of clang-tidy.
+fuzz_seconds=${FUZZ_SECONDS:-60}
+tidy_seconds=${TIDY_SECONDS:-480}
+
+# Undefined behaviour ends a program.
+strict=-fno-sanitize-recover=undefined
+
+sources() {
+  find src test -name '*.h' -o -name '*.cpp' | sort
+}
+
+# Nothing for clang-format to change.
+check_format() {
+  sources | xargs clang-format --dry-run -Werror
+}
+
+# No remark of shellcheck.
+check_shell() {
+  shellcheck run .ci/run .ci/checks.sh
+}
+
+# Prints the C++ sources that changed since main, or on main itself in the last commit, and those
+# whose header did.
+changed_sources() {
+  local base file
+  base=$(git merge-base HEAD origin/main 2>/dev/null || git merge-base HEAD main 2>/dev/null) || true
+  if [[ -z $base || $base == $(git rev-parse HEAD) ]]; then base=HEAD~1; fi
+  git rev-parse -q --verify "$base^{commit}" >/dev/null || return 0
+  git diff --name-only --diff-filter=d "$base" -- 'src/*.h' 'src/*.cpp' 'test/*.cpp' |
+    while read -r file; do
+      file=${file%.h}
+      file=${file%.cpp}.cpp
+      if [[ -e $file ]] && grep -q "\"file\": \"$root/$file\"" "$build/compile_commands.json"; then
+        echo "$file"
+      fi
+    done | sort -u
+}
+
+# No remark of clang-tidy about what changed, as far as it gets in its time.
+check_tidy() {
+  local files ended=0
+  build all tests
+  mapfile -t files < <(changed_sources)
+  if ((${#files[@]} == 0)); then return 0; fi
+  printf '%s\n' "${files[@]}" | timeout "$tidy_seconds" xargs -P"$(nproc)" -n1 \
+    clang-tidy -p "$build" --quiet --warnings-as-errors='*' || ended=$?
+  if ((ended == 124)); then
+    say "clang-tidy did not get through all ${#files[@]} changed files in $tidy_seconds s"
+    return 0
+  fi
+  return $ended
+}
+
+# Prints the GoogleTest programs that the given CMakeLists.txt name.
+test_programs() {
+  sed -nE 's/^hexapod_test\((\w+).*/test_\1/p' "$@"
+}
+
+# Configures build/<name> with the given compiler flags and builds the targets in targets[@].
+build_sanitized() {
+  local name=$1 flags=$2
+  shift 2
+  cmake -S "$root" -B "$build/$name" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1 $flags" "$@" >"$build/$name.log" 2>&1 &&
+    cmake --build "$build/$name" -j"$(parallel_jobs)" --target "${targets[@]}" \
+      >>"$build/$name.log" 2>&1 && return
+  tail -n 60 "$build/$name.log" >&2
+  fail "the build failed; the whole log is $build/$name.log"
+}
+
+# The tests of the core find no memory error and no undefined behaviour.
+check_address() {
+  local targets
+  mapfile -t targets < <(test_programs test/[!r]*/CMakeLists.txt test/r[!o]*/CMakeLists.txt \
+    test/robot/CMakeLists.txt)
+  build_sanitized address "-fsanitize=address,undefined $strict" \
+    -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
+  (cd "$build/address" && ctest --output-on-failure -j"$(nproc)" \
+    -R "^($(IFS='|' && echo "${targets[*]}"))\$")
+}
+
+# The unit tests of executor and nodes find no data race.
+check_threads() {
+  local targets program failed=0
+  mapfile -t targets < <(test_programs test/execution/CMakeLists.txt \
+    test/ros_interface/CMakeLists.txt)
+  build_sanitized threads '-fsanitize=thread'
+  for program in "${targets[@]}"; do
+    # A sanitizer needs addresses that some kernels spread too wide.
+    TSAN_OPTIONS="suppressions=$root/.ci/threads.supp halt_on_error=1 second_deadlock_stack=1" \
+      setarch -R "$build/threads/devel/lib/hexapod_repertoire/$program" || failed=1
+  done
+  return $failed
+}
+
+# Runs one fuzzer from its seeds for a while.
+fuzz() {
+  local name=$1 folder=$build/fuzz/corpus/$1
+  "$build/fuzz/fuzz_$name" -max_total_time="$fuzz_seconds" -timeout=10 -rss_limit_mb=4096 \
+    -artifact_prefix="$build/fuzz/$name-" -verbosity=0 -print_final_stats=0 "$folder" \
+    >"$build/fuzz/$name.log" 2>&1
+}
+
+# No input makes the readers of files and messages fail otherwise than by a sentence; and a mistake
+# that was made on purpose is found.
+check_fuzz() {
+  local targets=(fuzzers) names=(urdf yaml repertoire_file message work_message) name failed=0
+  build_sanitized fuzz "-fsanitize=fuzzer-no-link,address,undefined $strict \
+-DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION" \
+    -DCMAKE_CXX_COMPILER=clang++ -DFUZZERS=ON
+  for name in "${names[@]}" seeded_mistake; do mkdir -p "$build/fuzz/corpus/$name"; done
+  cp urdf/*.urdf "$build/fuzz/corpus/urdf"
+  cp config/*.yaml "$build/fuzz/corpus/yaml"
+  cp config/joint_map*.yaml "$build/fuzz/corpus/seeded_mistake"
+  "$build/fuzz/fuzz_seeds" "$build/fuzz/corpus"
+  export -f fuzz
+  export build fuzz_seconds
+  # shellcheck disable=SC2016  # the inner shell expands it
+  printf '%s\n' "${names[@]}" | xargs -P"$(nproc)" -I{} bash -c \
+    'fuzz "{}" || { tail -n 40 "$build/fuzz/{}.log" >&2; exit 1; }' || failed=1
+  if fuzz seeded_mistake; then
+    say 'the fuzzer did not find the mistake that was made on purpose'
+    failed=1
+  fi
+  return $failed
+}
+
+# Runs the named checks, all of them without a name, and tells which failed.
+check() {
+  local name failures=()
+  if (($# == 0)); then set -- "${all_checks[@]}"; fi
+  for name in "$@"; do
+    [[ " ${all_checks[*]} " == *" $name "* ]] ||
+      fail "there is no check '$name'; there are: ${all_checks[*]}"
+  done
+  setup checks
+  cd "$root" || return
+  mkdir -p "$build"
+  for name in "$@"; do
+    say "check $name"
+    (SECONDS=0; "check_$name" && say "check $name passed in $SECONDS s") || failures+=("$name")
+  done
+  ((${#failures[@]} == 0)) || fail "these checks failed: ${failures[*]}"
+}
