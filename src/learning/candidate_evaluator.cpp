@@ -19,7 +19,7 @@ CandidateEvaluator::CandidateEvaluator(std::shared_ptr<WorldPool> worlds,
       nominal_(worlds, options.behavior, &cancelled),
       robust_(nominal_, worlds, options.behavior, options.robustness,
               static_cast<std::uint64_t>(options.seed), &cancelled),
-      distributed_(robust_, own_, workers, cancelled),
+      distributed_(robust_, own_, workers, cancelled, options.worker_patience_s),
       cached_(distributed_, static_cast<std::size_t>(options.cached_genomes), symmetries_) {}
 
 void CandidateEvaluator::serveFor(Channel& master) {

@@ -14,9 +14,11 @@ class Channel {
 
   virtual void send(const std::string& message) = 0;
 
-  /// Waits for the next message. Nothing when `cancelled` is true and the other side still did not
-  /// answer soon after: it is taken for lost then, and the channel is of no use any more.
-  virtual std::optional<std::string> receive(const std::atomic<bool>& cancelled) = 0;
+  /// Waits for the next message. Nothing when the other side did not answer within `patience_s` (0:
+  /// no limit), or `cancelled` is true and it still did not soon after: it is taken for lost then,
+  /// and the channel is of no use any more.
+  virtual std::optional<std::string> receive(const std::atomic<bool>& cancelled,
+                                             double patience_s) = 0;
 };
 
 }  // namespace hexapod

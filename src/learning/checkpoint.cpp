@@ -11,9 +11,9 @@
 namespace hexapod {
 namespace {
 
-constexpr std::array<LearningPhase, 4> kPhases = {LearningPhase::kEvolving,
-                                                  LearningPhase::kVerifying,
-                                                  LearningPhase::kValidating, LearningPhase::kDone};
+constexpr std::array<LearningPhase, 5> kPhases = {
+    LearningPhase::kEvolving, LearningPhase::kVerifying, LearningPhase::kValidating,
+    LearningPhase::kTryingWorlds, LearningPhase::kDone};
 // Evolution's own texts stand beside these.
 constexpr const char* kPhaseKey = "session.phase";
 constexpr const char* kElapsedKey = "session.elapsed_s";
@@ -38,7 +38,7 @@ LearningPhase phaseFrom(const LearnerState& state) {
   for (const LearningPhase phase : kPhases) {
     if (text == toString(phase)) return phase;
   }
-  fail(kPhaseKey, "evolving, verifying, validating or done", "'" + text + "'");
+  fail(kPhaseKey, "evolving, verifying, validating, trying_worlds or done", "'" + text + "'");
 }
 
 double elapsedFrom(const LearnerState& state) {
@@ -128,6 +128,8 @@ std::string toString(LearningPhase phase) {
       return "verifying";
     case LearningPhase::kValidating:
       return "validating";
+    case LearningPhase::kTryingWorlds:
+      return "trying_worlds";
     case LearningPhase::kDone:
       return "done";
   }

@@ -4,6 +4,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "common/text.h"
+
 namespace hexapod {
 namespace {
 
@@ -24,11 +26,19 @@ Task partOf(const Task& task, std::size_t begin, std::size_t end) {
 
 DistributedEvaluator::DistributedEvaluator(Evaluator& local, const Introduction& own,
                                            const Workers& workers,
-                                           const std::atomic<bool>& cancelled)
-    : local_(&local), workers_(workers), threads_{own.threads}, cancelled_(&cancelled) {
+                                           const std::atomic<bool>& cancelled, double patience_s)
+    : local_(&local),
+      workers_(workers),
+      threads_{own.threads},
+      cancelled_(&cancelled),
+      patience_s_(patience_s) {
   for (std::size_t w = 0; w < workers_.size(); ++w) {
-    const auto message = workers_[w]->receive(cancelled);
-    if (!message) throw EvaluationCancelled();
+    const auto message = workers_[w]->receive(cancelled, patience_s);
+    if (!message && cancelled) throw EvaluationCancelled();
+    if (!message) {
+      throw std::runtime_error(nameOf(w) + " has not answered for " + numberText(patience_s) +
+                               " s: look at its machine, or set worker_patience_s higher.");
+    }
     const Introduction introduction = introductionFrom(*message);
     if (!introduction.problem.empty()) {
       throw std::runtime_error(nameOf(w) + ": " + introduction.problem);
@@ -60,35 +70,44 @@ std::size_t DistributedEvaluator::endOfPart(std::size_t p, std::size_t batch) co
 
 std::vector<Outcome> DistributedEvaluator::spread(const Task& whole) {
   const std::size_t batch = whole.genomes.size();
-  const std::size_t own = endOfPart(0, batch);
+  const Task own = partOf(whole, 0, endOfPart(0, batch));
+  std::vector<Task> tasks;
   for (std::size_t w = 0; w < workers_.size(); ++w) {
-    const Task task = partOf(whole, endOfPart(w, batch), endOfPart(w + 1, batch));
-    workers_[w]->send(toMessage(task));
+    tasks.push_back(partOf(whole, endOfPart(w, batch), endOfPart(w + 1, batch)));
+    if (workers_[w]) workers_[w]->send(toMessage(tasks[w]));
   }
   std::vector<Outcome> outcomes;
   std::exception_ptr failure;
   try {
-    outcomes = outcomesOf(*local_, partOf(whole, 0, own));
+    outcomes = outcomesOf(*local_, own);
   } catch (...) {
     failure = std::current_exception();
   }
   // Whatever happened here, answers that are under way must not be taken for later ones.
   std::string problems;
+  bool cancelled = false;
   for (std::size_t w = 0; w < workers_.size(); ++w) {
-    const Result result = receiveFrom(w);
-    outcomes.insert(outcomes.end(), result.outcomes.begin(), result.outcomes.end());
-    remote_simulations_ += result.simulations;
-    if (!result.problem.empty()) problems += nameOf(w) + ": " + result.problem + "\n";
+    if (!workers_[w]) continue;
+    std::optional<Result> result = receiveFrom(w);
+    if (!result) result = Result{failure ? std::vector<Outcome>() : outcomesOf(*local_, tasks[w])};
+    outcomes.insert(outcomes.end(), result->outcomes.begin(), result->outcomes.end());
+    remote_simulations_ += result->simulations;
+    cancelled |= result->cancelled;
+    if (!result->problem.empty()) problems += nameOf(w) + ": " + result->problem + "\n";
   }
   if (failure) std::rethrow_exception(failure);
+  if (cancelled) throw EvaluationCancelled();
   if (!problems.empty()) throw std::runtime_error(problems);
   return outcomes;
 }
 
-Result DistributedEvaluator::receiveFrom(std::size_t worker) {
-  const auto message = workers_[worker]->receive(*cancelled_);
-  if (!message) throw EvaluationCancelled();
-  return resultFrom(*message);
+std::optional<Result> DistributedEvaluator::receiveFrom(std::size_t worker) {
+  const auto message = workers_[worker]->receive(*cancelled_, patience_s_);
+  if (message) return resultFrom(*message);
+  if (*cancelled_) throw EvaluationCancelled();
+  workers_[worker] = nullptr;
+  threads_[worker + 1] = 0;
+  return std::nullopt;
 }
 
 std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Task& task) {
@@ -102,12 +121,14 @@ void serve(Channel& master, const Introduction& own, Evaluator& evaluator,
   const std::atomic<bool> never{false};
   master.send(toMessage(own));
   while (true) {
-    const auto message = master.receive(never);
+    const auto message = master.receive(never, 0.0);
     if (!message || message->empty()) return;
     Result result;
     const std::int64_t before = simulations();
     try {
       result.outcomes = outcomesOf(evaluator, taskFrom(*message));
+    } catch (const EvaluationCancelled&) {
+      result.cancelled = true;
     } catch (const std::exception& error) {
       result.problem = error.what();
     }

@@ -6,9 +6,20 @@
 #include "repertoire/digest.h"
 
 namespace hexapod {
+namespace {
+
+constexpr std::int64_t kMostEvaluations = 1000000000;
+constexpr std::int64_t kUsualEvaluations = 20000;
+
+}  // namespace
+
+LearnOptions withBudget(LearnOptions options) {
+  if (options.evaluations > 0) return options;
+  options.evaluations = options.time_budget_s > 0.0 ? kMostEvaluations : kUsualEvaluations;
+  return options;
+}
 
 std::vector<Option> declareOptions(LearnOptions& options) {
-  constexpr std::int64_t kMany = 1000000000;
   std::vector<Option> all = {
       option("repertoire_file", options.repertoire_file,
              "SQLite file the repertoire is written to."),
@@ -16,12 +27,19 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "Replace a repertoire that repertoire_file already holds."),
       option("resume", options.resume,
              "Go on with the run in repertoire_file, or begin it when there is none."),
-      option("evaluations", options.evaluations,
-             "Candidates to evaluate; a run that is resumed may be given more.", 1, kMany),
+      option("check_again", options.check_again,
+             "With resume: verify and validate a finished run, and try it in other worlds, once "
+             "more. (That is done, too, when other options for it are given.)"),
+      option(
+          "evaluations", options.evaluations,
+          "Candidates to evaluate; a run that is resumed may be given more. 0: 20000, or as many "
+          "as time_budget_s allows.",
+          0, kMostEvaluations),
       option(
           "time_budget_s", options.time_budget_s, "s",
           "Evolution ends after this time even if evaluations are left, and what is learned then "
-          "depends on the speed of the machine; 0: no limit.",
+          "depends on the speed of the machine; 0: no limit. Where only this is given, only this "
+          "limits the run.",
           0.0, 1e9),
       option("seed", options.seed, "Seed of everything random; same seed, same repertoire.", 0,
              std::numeric_limits<std::int32_t>::max()),
@@ -46,7 +64,11 @@ std::vector<Option> declareOptions(LearnOptions& options) {
       option("cached_genomes", options.cached_genomes,
              "Genomes whose outcomes are remembered, so that none is simulated twice; about 200 "
              "bytes each.",
-             0, 100000000)};
+             0, 100000000),
+      option("worker_patience_s", options.worker_patience_s, "s",
+             "Under mpirun: a process that has not answered for so long is given up, and this one "
+             "does its part; 0: never.",
+             0.0, 86400.0)};
   for (auto& more : {declareOptions(options.evolution), declareOptions(options.behavior),
                      declareOptions(options.robustness)}) {
     all.insert(all.end(), more.begin(), more.end());
@@ -61,8 +83,9 @@ Physics nominalPhysics(const LearnOptions& options) {
 }
 
 std::map<std::string, std::string> resultOptions(const LearnOptions& options) {
-  const std::set<std::string> others = {"repertoire_file", "overwrite",           "resume",
-                                        "threads",         "checkpoint_period_s", "cached_genomes"};
+  const std::set<std::string> others = {
+      "repertoire_file", "overwrite",           "resume",         "check_again",
+      "threads",         "checkpoint_period_s", "cached_genomes", "worker_patience_s"};
   LearnOptions copy = options;
   std::map<std::string, std::string> texts;
   for (const Option& option : declareOptions(copy)) {
@@ -73,6 +96,11 @@ std::map<std::string, std::string> resultOptions(const LearnOptions& options) {
 
 bool isBudget(const std::string& option_name) {
   return option_name == "evaluations" || option_name == "time_budget_s";
+}
+
+bool isCheck(const std::string& option_name) {
+  return option_name == "verify_with_ode" || option_name == "resimulate" ||
+         option_name == "validation_trials";
 }
 
 std::string runId(const RobotDescription& robot,

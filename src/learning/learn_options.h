@@ -19,7 +19,8 @@ struct LearnOptions {
   std::string repertoire_file;
   bool overwrite = false;
   bool resume = false;
-  std::int64_t evaluations = 20000;
+  bool check_again = false;
+  std::int64_t evaluations = 0;  ///< 0: see withBudget()
   double time_budget_s = 0.0;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
@@ -30,6 +31,7 @@ struct LearnOptions {
   std::int64_t validation_trials = 8;
   double checkpoint_period_s = 5.0;
   std::int64_t cached_genomes = 300000;
+  double worker_patience_s = 60.0;
   EvolutionOptions evolution;
   BehaviorOptions behavior;
   RobustnessOptions robustness;
@@ -37,6 +39,10 @@ struct LearnOptions {
 
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(LearnOptions& options);
+
+/// The options with a budget of evaluations: 20,000 where none is given, or as many as the time
+/// budget allows where there is that.
+LearnOptions withBudget(LearnOptions options);
 
 /// The physics that candidates are simulated with first.
 Physics nominalPhysics(const LearnOptions& options);
@@ -47,6 +53,9 @@ std::map<std::string, std::string> resultOptions(const LearnOptions& options);
 
 /// True for those of resultOptions() that only say when learning ends.
 bool isBudget(const std::string& option_name);
+
+/// True for those that only say how the entries are checked then.
+bool isCheck(const std::string& option_name);
 
 /// Names a run by what determines its result: robot, options, seed. Equal runs have equal names.
 std::string runId(const RobotDescription& robot, const std::map<std::string, std::string>& options);

@@ -5,9 +5,9 @@
 namespace hexapod {
 
 /// What a learning session is doing.
-enum class LearningPhase { kEvolving, kVerifying, kValidating, kDone };
+enum class LearningPhase { kEvolving, kVerifying, kValidating, kTryingWorlds, kDone };
 
-/// "evolving", "verifying", "validating", "done".
+/// "evolving", "verifying", "validating", "trying_worlds", "done".
 std::string toString(LearningPhase phase);
 
 }  // namespace hexapod

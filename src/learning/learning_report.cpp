@@ -13,14 +13,13 @@ constexpr double kDegrees = 180.0 / M_PI;
 }  // namespace
 
 std::string describe(const LearningStatus& status) {
-  if (status.phase == LearningPhase::kValidating) {
-    return "Validating: " + std::to_string(status.entries_validated) + " of " +
-           std::to_string(status.entries) + " entries.";
-  }
+  const std::string checked =
+      std::to_string(status.checked) + " of " + std::to_string(status.to_check);
   if (status.phase == LearningPhase::kVerifying) {
-    return "Verifying: " + std::to_string(status.entries_verified) + " of " +
-           std::to_string(status.entries) + " entries replayed in ODE.";
+    return "Verifying: " + checked + " entries replayed in ODE.";
   }
+  if (status.phase == LearningPhase::kValidating) return "Validating: " + checked + " entries.";
+  if (status.phase == LearningPhase::kTryingWorlds) return "Trying other worlds: " + checked + ".";
   const bool done = status.phase == LearningPhase::kDone;
   std::string line = (done ? "Done: " : "Learning: ") + std::to_string(status.counters.evaluations);
   // A run that only its time limits has a budget nobody reads.
@@ -47,11 +46,8 @@ std::string describe(const LearningStatus& status) {
 double fractionDone(const LearningStatus& status) {
   if (status.phase == LearningPhase::kDone) return 1.0;
   const auto part = [](double done, double whole) { return whole > 0.0 ? done / whole : 1.0; };
-  if (status.phase == LearningPhase::kValidating) {
-    return part(static_cast<double>(status.entries_validated), static_cast<double>(status.entries));
-  }
-  if (status.phase == LearningPhase::kVerifying) {
-    return part(static_cast<double>(status.entries_verified), static_cast<double>(status.entries));
+  if (status.phase != LearningPhase::kEvolving) {
+    return part(static_cast<double>(status.checked), static_cast<double>(status.to_check));
   }
   const double of_evaluations = part(static_cast<double>(status.counters.evaluations),
                                      static_cast<double>(status.evaluations_budget));

@@ -12,7 +12,7 @@ namespace hexapod {
 std::string describe(const LearningStatus& status);
 
 /// Of the phase under way, 0 .. 1: the part of the budget that is used up, or of the entries that
-/// are verified or validated.
+/// are checked.
 double fractionDone(const LearningStatus& status);
 
 }  // namespace hexapod

@@ -1,23 +1,19 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
 #include <string>
-#include <vector>
 
-#include "evaluation/assessment.h"
-#include "evaluation/validation.h"
-#include "evolution/br_evolution.h"
-#include "learning/candidate_evaluator.h"
+#include "learning/checkpointer.h"
+#include "learning/checks.h"
+#include "learning/fair_mutex.h"
 #include "learning/learn_options.h"
 #include "learning/learning_phase.h"
+#include "learning/learning_run.h"
 #include "learning/resume.h"
 #include "repertoire/repertoire.h"
-#include "repertoire/repertoire_writer.h"
 #include "robot/robot_description.h"
 
 namespace hexapod {
@@ -32,34 +28,31 @@ struct LearningStatus {
   std::int64_t evaluations_budget = 0;
   double time_budget_s = 0.0;  ///< 0: none
   std::int64_t entries = 0;    ///< those that were dropped excluded
-  std::int64_t entries_verified = 0;
-  std::int64_t entries_dropped = 0;  ///< since they do not hold in ODE
-  std::int64_t entries_validated = 0;
+  std::int64_t dropped = 0;    ///< entries left out, since they do not hold in ODE
+  std::int64_t checked = 0;    ///< of the check under way: entries, or worlds, that are done
+  std::int64_t to_check = 0;
   double elapsed_s = 0.0;          ///< spent evolving
   double evaluations_per_s = 0.0;  ///< over the time spent evolving
   double eta_s = 0.0;              ///< to the end of evolution; 0 once it has ended
   HistoryRow last;                 ///< the newest row of the history
 };
 
-/// A learning run from the first random genome to the validated repertoire in its file: evolution,
-/// simulation on all cores, history, checkpoints, validation.
+/// A learning run from the first random genome to the checked repertoire in its file: evolution,
+/// simulation on all cores, history, checkpoints, checks of the entries.
 ///
 /// With the option `resume` it goes on from the last checkpoint of a run that was stopped or
 /// killed, and ends with the same entries as if nothing had happened. A run that had been finished
-/// stays as it is, unless it is given a larger budget: then it evolves further and validates all
-/// anew. (More evaluations later give the same as more at once if the former number was a multiple
-/// of population_size, so that no generation was cut short.)
+/// stays as it is, unless it is given a larger budget, other checks or `check_again`: then it
+/// evolves further, and is checked anew. (More evaluations later give the same as more at once if
+/// the former number was a multiple of population_size, so that no generation was cut short.)
 ///
-/// run() does the work in the thread that calls it. requestStop() and requestSave() may be called
-/// from any thread; everything else belongs to the thread of run(), that is, to its hooks.
+/// run() does the work in the thread that calls it. requestStop() and saveNow() may be called from
+/// any thread; everything else belongs to the thread of run(), that is, to its hooks.
 class LearningSession {
  public:
-  /// Seconds on a clock that never goes back.
-  using Clock = std::function<double()>;
-
   struct Hooks {
-    /// Called after each generation, now and then while validating (then perhaps by another thread,
-    /// one at a time), and when all is done.
+    /// Called after each generation, now and then while checking (then perhaps by another thread,
+    /// one at a time), and when all is done. May wait: then so does the run.
     std::function<void(const LearningSession&)> progress;
     /// Called when a checkpoint could not be written; learning goes on, the next one is tried.
     std::function<void(const std::string& problem)> save_failed;
@@ -69,19 +62,25 @@ class LearningSession {
   /// not fit or not be those of the run to be resumed, std::runtime_error for a file that cannot be
   /// written or that holds a repertoire while neither `overwrite` nor `resume` is set.
   /// Evaluations are spread over this process and the workers, each of which runs workFor(); waits
-  /// until they have introduced themselves. Validation is this process' alone.
+  /// until they have introduced themselves. Checks are this process' alone.
   LearningSession(const RobotDescription& robot, const LearnOptions& options, Clock clock,
                   const DistributedEvaluator::Workers& workers = {});
 
-  /// Evolves until the budget is used up, validates, saves. Returns true when all was done, false
-  /// when requestStop() ended it early; the file then holds the last whole generation.
+  /// Evolves until the budget is used up, checks, saves. Returns true when all was done, false when
+  /// requestStop() ended it early; the last whole generation is saved then. Either way
+  /// saveProblem() tells whether the file holds it.
   bool run(const Hooks& hooks);
 
   /// Ends run() within one simulated behaviour.
   void requestStop() { stop_ = true; }
 
-  /// Asks for a checkpoint at the end of the generation under way.
-  void requestSave() { save_ = true; }
+  /// Writes the file as soon as the generation under way has ended, in any other phase, before or
+  /// after run() at once. Returns why that failed, as a sentence, or nothing.
+  std::string saveNow();
+
+  /// Why what is known is not in the file, as a sentence, or nothing: what was last to be saved
+  /// was.
+  std::string saveProblem() const;
 
   /// Before run(): a sentence for the user about what `resume` found, or empty without it.
   std::string resumeRemark() const;
@@ -90,52 +89,35 @@ class LearningSession {
   std::string verificationRemark() const;
 
   /// A sentence for the user about the engine (EngineChoice::remark), or empty.
-  const std::string& engineRemark() const { return engine_.remark; }
+  const std::string& engineRemark() const { return run_.engine().remark; }
 
   LearningStatus status() const;
 
   /// The repertoire as it is now.
-  Repertoire repertoire() const;
+  Repertoire repertoire() const { return run_.repertoire(); }
 
  private:
-  void goOn();
-  bool budgetIsLeft() const;
-  std::int64_t simulations() const;
-  void lap();
   bool evolve(const Hooks& hooks);
-  bool verifyEntries(const Hooks& hooks);
-  bool validateEntries(const Hooks& hooks);
-  bool resimulateEntries();
-  /// Throws EvaluationCancelled when asked to stop.
-  std::vector<TrialResult> tryHeldOut(const std::vector<Entry>& entries);
-  std::vector<Entry> keptEntries() const;
-  void recordHistory();
+  bool evolveOneGeneration();
   void addHeldOut();
-  bool checkpointIsDue() const;
+  bool checkEntries(const Hooks& hooks);
+  void enter(LearningPhase phase);
+  void saveIfDue(const Hooks& hooks);
   void save(const Hooks& hooks);
+  /// The time since the last lap was spent evolving. With mutex_ taken.
+  void lap();
 
-  RobotDescription robot_;
   LearnOptions options_;
   Clock clock_;
   std::atomic<bool> stop_{false};
-  std::atomic<bool> save_{false};
-  RepertoireWriter writer_;
+  mutable FairMutex mutex_;  // whoever changes run_ or phase_, or uses checkpointer_, has it
+  Checkpointer checkpointer_;
   std::optional<Resumed> resumed_;  // the run as it was found
-  EngineChoice engine_;
-  std::shared_ptr<WorldPool> worlds_;
-  CandidateEvaluator evaluator_;
-  BrEvolution evolution_;
-  LearningPhase phase_ = LearningPhase::kEvolving;
-  std::vector<HistoryRow> history_;
-  std::vector<Execution> executions_;         // per kept entry; empty until validated
-  std::set<std::int64_t> dropped_;            // ids of entries that do not hold in ODE
-  std::map<std::string, std::string> facts_;  // of verification
-  std::int64_t entries_verified_ = 0;
-  std::int64_t entries_validated_ = 0;
-  double evolved_s_ = 0.0;  // spent evolving, in earlier processes as well
-  double lap_s_ = 0.0;      // up to here evolved_s_ is counted
-  double saved_s_ = 0.0;
-  double save_cost_s_ = 0.0;  // of the last save
+  LearningRun run_;
+  LearningPhase phase_;
+  double lap_s_ = 0.0;  // up to here time spent evolving is counted
+  std::atomic<std::int64_t> checked_{0};
+  std::atomic<std::int64_t> to_check_{0};
 };
 
 }  // namespace hexapod

@@ -1,5 +1,6 @@
 #include "learning/resume.h"
 
+#include <algorithm>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -26,7 +27,8 @@ std::string differences(const Repertoire& stored, const RobotDescription& robot,
   for (const auto& [name, text] : stored.options) names.insert(name);
   for (const auto& [name, text] : wanted) names.insert(name);
   for (const std::string& name : names) {
-    if (!isBudget(name)) add(name, textIn(stored.options, name), textIn(wanted, name));
+    if (!isBudget(name) && !isCheck(name))
+      add(name, textIn(stored.options, name), textIn(wanted, name));
   }
   add("robot", stored.robot_id, robot.digest);
   if (options.evaluations < stored.evaluations) {
@@ -36,18 +38,19 @@ std::string differences(const Repertoire& stored, const RobotDescription& robot,
   return lines;
 }
 
-std::vector<Execution> executionsOf(const Checkpoint& checkpoint,
-                                    const std::vector<Entry>& entries) {
+std::map<std::int64_t, Execution> executionsOf(const std::vector<Entry>& entries) {
   std::map<std::int64_t, Execution> by_id;
   for (const Entry& entry : entries) {
     if (entry.execution) by_id[entry.id] = *entry.execution;
   }
-  std::vector<Execution> executions;
-  if (by_id.size() != entries.size()) return executions;
-  for (const Entry& entry : checkpoint.evolution.archive) {
-    if (checkpoint.dropped.count(entry.id) == 0) executions.push_back(by_id.at(entry.id));
-  }
-  return executions;
+  return by_id;
+}
+
+bool checksDiffer(const Options& stored, const Options& wanted) {
+  const auto differs = [&](const auto& option) {
+    return isCheck(option.first) && textIn(stored, option.first) != option.second;
+  };
+  return std::any_of(wanted.begin(), wanted.end(), differs);
 }
 
 }  // namespace
@@ -64,9 +67,9 @@ Resumed resume(const RobotDescription& robot, const LearnOptions& options) {
     throw std::invalid_argument(start + "it would not be the same run." + lines + hint);
   }
   try {
-    const Checkpoint checkpoint = checkpointFrom(stored);
-    return {checkpoint, stored.repertoire.history,
-            executionsOf(checkpoint, stored.repertoire.entries), stored.repertoire.facts};
+    const Repertoire& repertoire = stored.repertoire;
+    return {checkpointFrom(stored), repertoire.history, executionsOf(repertoire.entries),
+            repertoire.facts, checksDiffer(repertoire.options, resultOptions(options))};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(start + error.what() + hint);
   }

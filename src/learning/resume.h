@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -15,17 +16,17 @@ namespace hexapod {
 struct Resumed {
   Checkpoint checkpoint;
   std::vector<HistoryRow> history;
-  /// Per entry that was not dropped, in the archive's order; empty unless all were validated.
-  std::vector<Execution> executions;
+  std::map<std::int64_t, Execution> executions;  ///< by id, of the entries that have one
   std::map<std::string, std::string> facts;
+  bool checks_differ = false;  ///< its entries were checked otherwise than is asked for now
 };
 
 /// Reads the run that repertoire_file holds. Throws std::invalid_argument when it is another run
 /// than these options and this robot make, with a line for each difference, or cannot be gone on
 /// with; std::runtime_error as loadStoredRepertoire() does.
 ///
-/// Budgets may differ: the same run may be given more evaluations or more time. It must not have
-/// fewer evaluations than were done already.
+/// Budgets and checks may differ: the same run may be given more evaluations, more time, more
+/// trials. It must not have fewer evaluations than were done already.
 Resumed resume(const RobotDescription& robot, const LearnOptions& options);
 
 }  // namespace hexapod

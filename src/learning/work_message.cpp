@@ -61,13 +61,21 @@ class Reader {
   std::vector<Outcome> outcomes() {
     std::vector<Outcome> values(count());
     for (Outcome& outcome : values) {
-      outcome.verdict = static_cast<Verdict>(number<std::int32_t>());
+      outcome.verdict = verdict();
       outcome.end_pose.x_m = number<double>();
       outcome.end_pose.y_m = number<double>();
       outcome.end_pose.yaw_rad = number<double>();
       outcome.cost = number<double>();
     }
     return values;
+  }
+  Verdict verdict() {
+    const auto found = static_cast<Verdict>(number<std::int32_t>());
+    for (const Verdict known :
+         {Verdict::kWalked, Verdict::kFell, Verdict::kSelfCollided, Verdict::kDiverged}) {
+      if (found == known) return found;
+    }
+    fail();
   }
   void requireEnd() const {
     if (position_ != bytes_.size()) fail();
@@ -111,6 +119,7 @@ std::string toMessage(const Result& result) {
   writer.outcomes(result.outcomes);
   writer.number(result.simulations);
   writer.text(result.problem);
+  writer.number(static_cast<std::int32_t>(result.cancelled));
   return writer.bytes();
 }
 
@@ -144,6 +153,7 @@ Result resultFrom(const std::string& message) {
   result.outcomes = reader.outcomes();
   result.simulations = reader.number<std::int64_t>();
   result.problem = reader.text();
+  result.cancelled = reader.number<std::int32_t>() != 0;
   reader.requireEnd();
   return result;
 }

@@ -28,9 +28,10 @@ struct Task {
 
 /// The answer to a task.
 struct Result {
-  std::vector<Outcome> outcomes;  ///< per genome of the task
-  std::int64_t simulations = 0;   ///< behaviours simulated for it
-  std::string problem;            ///< a sentence when it could not be done, else empty
+  std::vector<Outcome> outcomes = {};  ///< per genome of the task
+  std::int64_t simulations = 0;        ///< behaviours simulated for it
+  std::string problem = {};            ///< a sentence when it could not be done, else empty
+  bool cancelled = false;              ///< the worker was asked to stop: so is the run
 };
 
 /// Neither is ever empty, so an empty message can mean the end.
@@ -38,7 +39,7 @@ std::string toMessage(const Introduction& introduction);
 std::string toMessage(const Task& task);
 std::string toMessage(const Result& result);
 
-/// The ways back. Throw std::runtime_error when the message is cut short or too long.
+/// The ways back. Throw std::runtime_error when the message is cut short, too long or garbled.
 Introduction introductionFrom(const std::string& message);
 Task taskFrom(const std::string& message);
 Result resultFrom(const std::string& message);

@@ -10,15 +10,15 @@ namespace hexapod {
 void declineWork(Channel& session, const std::string& problem) {
   const std::atomic<bool> never{false};
   session.send(toMessage(Introduction{"", 1, problem}));
-  session.receive(never);
+  session.receive(never, 0.0);
 }
 
-void workFor(Channel& session, const RobotDescription& robot, const LearnOptions& options) {
+void workFor(Channel& session, const RobotDescription& robot, const LearnOptions& options,
+             const std::atomic<bool>& cancelled) {
   const auto worlds =
       std::make_shared<WorldPool>(chooseEngine(options.engine, robot).engine, robot,
                                   nominalPhysics(options), static_cast<int>(options.threads));
-  const std::atomic<bool> never{false};
-  CandidateEvaluator(worlds, options, never).serveFor(session);
+  CandidateEvaluator(worlds, withBudget(options), cancelled).serveFor(session);
 }
 
 }  // namespace hexapod

@@ -17,9 +17,7 @@ int learn() {
   LearnerNode learner(node, private_node, options);
   ros::AsyncSpinner spinner(1);
   spinner.start();
-  const bool finished = learner.run();
-  if (finished && !options.exit_when_done) waitUntilAskedToLeave();
-  return 0;
+  return learner.run();
 }
 
 std::string optionTable() {

@@ -24,8 +24,10 @@ class FileLock {
   FileLock(const FileLock&) = delete;
   FileLock& operator=(const FileLock&) = delete;
 
- private:
+  /// False when the lock file was removed or replaced: then the claim keeps nobody out any more.
   bool isCurrent() const;
+
+ private:
   void writeNote() const;
 
   std::string lock_file_;

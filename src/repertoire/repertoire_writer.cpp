@@ -162,6 +162,11 @@ void preparePlace(const fs::path& path) {
     throw std::runtime_error("The repertoire file " + path.string() +
                              " is a link, a folder or a device: name an ordinary file.");
   }
+  if (fs::exists(status) && fs::hard_link_count(path, error) > 1) {
+    throw std::runtime_error("The repertoire file " + path.string() +
+                             " has other names, too (hard links), under which another process may "
+                             "be writing it: copy it and name the copy.");
+  }
   fs::create_directories(path.parent_path(), error);
   if (error) {
     throw std::runtime_error("The folder " + path.parent_path().string() +
@@ -188,6 +193,13 @@ bool isRepertoire(SqliteDatabase& database, const std::string& file) {
   return true;
 }
 
+/// The digest that the file of a repertoire claims to have.
+std::string claimedDigest(SqliteDatabase& database) {
+  SqliteStatement digest(
+      database, std::string("SELECT value FROM meta WHERE key = '") + kFileDigestKey + "'");
+  return digest.step() ? digest.bytes(0) : "";
+}
+
 }  // namespace
 
 RepertoireWriter::RepertoireWriter(const std::string& file) {
@@ -199,11 +211,13 @@ RepertoireWriter::RepertoireWriter(const std::string& file) {
 void RepertoireWriter::open() {
   preparePlace(file_);
   database_.reset();
-  lock_.reset();
-  lock_ = std::make_unique<FileLock>(file_);
+  if (lock_ && !lock_->isCurrent()) lock_.reset();
+  if (!lock_) lock_ = std::make_unique<FileLock>(file_);
   try {
     database_ = std::make_unique<SqliteDatabase>(file_, SqliteDatabase::Mode::kCreate);
     holds_repertoire_ = isRepertoire(*database_, file_);
+    if (!stamp_ && holds_repertoire_) digest_ = claimedDigest(*database_);
+    if (!stamp_) stamp_ = stampOf(file_);
   } catch (const SqliteError& error) {
     throw std::runtime_error("The file " + file_ +
                              " cannot be used as repertoire file: " + error.what() +
@@ -213,8 +227,8 @@ void RepertoireWriter::open() {
 
 void RepertoireWriter::save(const Repertoire& repertoire, const LearnerState& learner_state) {
   requireSavable(repertoire);
-  if (!database_ || database_->hasMoved()) open();
   try {
+    requireOwnFile();
     write(repertoire, learner_state);
   } catch (const SqliteError& error) {
     throw std::runtime_error("The repertoire file " + file_ + " cannot be written: " +
@@ -223,16 +237,31 @@ void RepertoireWriter::save(const Repertoire& repertoire, const LearnerState& le
   holds_repertoire_ = true;
 }
 
+void RepertoireWriter::requireOwnFile() {
+  const std::optional<FileStamp> now = stampOf(file_);
+  if (!now) stamp_.reset();  // removed or moved away: another one is begun
+  if (database_ && now && now == stamp_) return;
+  open();
+  if (!holds_repertoire_ || claimedDigest(*database_) == digest_) return;
+  database_.reset();
+  throw std::runtime_error("The repertoire file " + file_ +
+                           " was replaced or written by somebody else while this process was "
+                           "working, and is not overwritten: move it away.");
+}
+
 void RepertoireWriter::write(const Repertoire& repertoire, const LearnerState& learner_state) {
   SqliteTransaction transaction(*database_, SqliteTransaction::Kind::kWrite);
   database_->execute("PRAGMA application_id = " + std::to_string(kApplicationId));
   database_->execute("PRAGMA user_version = " + std::to_string(kFormatVersion));
   database_->execute(kTables);
   insertEntries(repertoire.entries, *database_);
-  insertMeta(metaOf(repertoire, learner_state), *database_);
+  const std::map<std::string, std::string> meta = metaOf(repertoire, learner_state);
+  insertMeta(meta, *database_);
   insertHistory(repertoire.history, *database_);
   insertState(learner_state, *database_);
   transaction.commit();
+  stamp_ = stampOf(file_);
+  digest_ = meta.at(kFileDigestKey);
 }
 
 void saveRepertoire(const std::string& file, const Repertoire& repertoire,

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "repertoire/file_lock.h"
+#include "repertoire/file_stamp.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/sqlite.h"
 
@@ -14,9 +16,9 @@ namespace hexapod {
 class RepertoireWriter {
  public:
   /// Claims the file, creating its folder when missing. Throws std::runtime_error with a sentence
-  /// when another process writes it (naming that process), when it is a link, a folder, not a
-  /// repertoire file or one of another format version (none is ever overwritten), or when folder or
-  /// file cannot be created.
+  /// when another process writes it (naming that process), when it is a link of either kind, a
+  /// folder, not a repertoire file or one of another format version (none is ever overwritten), or
+  /// when folder or file cannot be created.
   explicit RepertoireWriter(const std::string& file);
 
   /// True when the file holds a repertoire already: one found there, or one saved.
@@ -25,17 +27,22 @@ class RepertoireWriter {
   /// Replaces the whole content in one transaction. Throws std::invalid_argument naming the entry
   /// when the repertoire could not be loaded again (see loadStoredRepertoire), std::runtime_error
   /// naming the file when it cannot be written (disk full, read-only); the last good content stays,
-  /// and the next save tries afresh. A file that was removed meanwhile is created anew.
+  /// and the next save tries afresh. A file that was removed or moved meanwhile is created anew;
+  /// one that stands in its place, or that somebody else wrote, is not overwritten:
+  /// std::runtime_error.
   void save(const Repertoire& repertoire, const LearnerState& learner_state = {});
 
  private:
   void open();
+  void requireOwnFile();
   void write(const Repertoire& repertoire, const LearnerState& learner_state);
 
   std::string file_;
   std::unique_ptr<FileLock> lock_;
   std::unique_ptr<SqliteDatabase> database_;
   bool holds_repertoire_ = false;
+  std::optional<FileStamp> stamp_;  // of the file as this object left it
+  std::string digest_;              // of its content then
 };
 
 /// A RepertoireWriter for one save.

@@ -44,12 +44,6 @@ std::int64_t SqliteDatabase::integer(const std::string& sql) {
   return statement.step() ? statement.integer(0) : 0;
 }
 
-bool SqliteDatabase::hasMoved() const {
-  int moved = 0;
-  sqlite3_file_control(handle_, "main", SQLITE_FCNTL_HAS_MOVED, &moved);
-  return moved != 0;
-}
-
 SqliteStatement::SqliteStatement(SqliteDatabase& database, const std::string& sql)
     : database_(database) {
   require(sqlite3_prepare_v2(database.handle(), sql.c_str(), static_cast<int>(sql.size()), &handle_,

@@ -35,8 +35,6 @@ class SqliteDatabase {
   void execute(const std::string& sql);
   /// First column of the first row; 0 without rows.
   std::int64_t integer(const std::string& sql);
-  /// True when the file was removed or renamed since it was opened.
-  bool hasMoved() const;
 
   sqlite3* handle() const { return handle_; }
 

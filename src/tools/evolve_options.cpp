@@ -4,27 +4,33 @@
 #include <stdexcept>
 
 #include "tools/command_line.h"
+#include "tools/learner_file.h"
 #include "tools/package_files.h"
+#include "tools/same_file.h"
 
 namespace hexapod {
 namespace {
 
 constexpr const char* kNoPreset = "none";
 
-// In the learner's files, but of no use without ROS.
-const std::vector<std::string> kOptionsOfTheNode = {"publish_period_s", "exit_when_done"};
-
 const std::map<std::string, std::string> kShortNames = {
     {"file", "repertoire_file"}, {"seconds", "time_budget_s"}, {"h", "help"}};
 
 void applyFile(const std::string& file, EvolveOptions& options) {
-  std::map<std::string, OptionValue> values = optionValuesFromYaml(file);
-  for (const std::string& name : kOptionsOfTheNode) values.erase(name);
-  applyOptions(declareOptions(options), values, file);
+  applyOptions(declareOptions(options), valuesFromLearnerFile(file), file);
 }
 
 void setToShipped(std::string& path, const std::string& file) {
   if (path.empty()) path = packageFolder() + "/" + file;
+}
+
+/// The CSV file must not take the place of the repertoire, nor of what is kept beside it.
+void requireOtherFile(const std::string& csv, const std::string& repertoire_file) {
+  for (const char* ending : {"", ".lock", "-journal"}) {
+    if (csv.empty() || !isSameFile(csv, repertoire_file + ending)) continue;
+    throw std::invalid_argument(kCommandLine + ": 'csv' and 'file' are the same file, " + csv +
+                                "; give two, as the repertoire would be overwritten.");
+  }
 }
 
 }  // namespace
@@ -56,18 +62,13 @@ EvolveOptions evolveOptionsFrom(const std::vector<std::string>& arguments) {
   if (options.preset != kNoPreset) applyFile(presetFile(packageFolder(), options.preset), options);
   if (!options.config.empty()) applyFile(options.config, options);
   applyOptions(declareOptions(options), values, kCommandLine);
-  if (values.count("time_budget_s") > 0 && values.count("evaluations") == 0) {
-    for (const Option& option : declareOptions(options)) {
-      if (option.name != "evaluations") continue;
-      options.learn.evaluations = static_cast<std::int64_t>(option.max);
-    }
-  }
   setToShipped(options.urdf, "urdf/hexapod.urdf");
   setToShipped(options.robot_config, "config/hexapod.yaml");
   if (options.learn.repertoire_file.empty()) {
     throw std::invalid_argument(kCommandLine +
                                 ": give the file to learn into, e.g. --file gaits.db.");
   }
+  requireOtherFile(options.csv, options.learn.repertoire_file);
   return options;
 }
 
@@ -83,8 +84,9 @@ std::string evolveHelp() {
          "  evolve --file gaits.db --seconds 60      (how far it gets depends on the machine)\n"
          "  mpirun -n 8 evolve --file gaits.db --evaluations 1000000       (same result as "
          "alone)\n\n"
-         "--file is short for --repertoire_file, --seconds for --time_budget_s without a limit of\n"
-         "evaluations. The preset's options come first, then those of --config, then these.\n\n" +
+         "--file is short for --repertoire_file, --seconds for --time_budget_s. The preset's "
+         "options\n"
+         "come first, then those of --config, then these.\n\n" +
          describeOptions(declareOptions(options));
 }
 

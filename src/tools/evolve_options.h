@@ -25,8 +25,7 @@ std::vector<Option> declareOptions(EvolveOptions& options);
 /// Reads the command line: `--name value` or `--name=value` for every declared option, `--name`
 /// alone for those that are true or false; --file and --seconds are short for repertoire_file and
 /// time_budget_s. The preset's file comes first, then that of --config, then the command line; urdf
-/// and robot_config are set to the shipped robot's when left empty. With --seconds and without
-/// --evaluations only the time limits the run.
+/// and robot_config are set to the shipped robot's when left empty.
 ///
 /// Throws std::invalid_argument with a sentence for every problem (see applyOptions), or
 /// std::runtime_error for a file that cannot be read. After --help nothing is read.

@@ -28,18 +28,34 @@ class MpiChannel : public Channel {
     if (message.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
       throw std::runtime_error("A batch is too large for one message; use a smaller population.");
     }
-    MPI_Send(message.data(), static_cast<int>(message.size()), MPI_BYTE, other_, kTag,
-             MPI_COMM_WORLD);
+    if (request_ != MPI_REQUEST_NULL) MPI_Wait(&request_, MPI_STATUS_IGNORE);
+    sent_ =
+        message;  // kept until the other side has it: a process that hangs must not stop this one
+    MPI_Isend(sent_.data(), static_cast<int>(sent_.size()), MPI_BYTE, other_, kTag, MPI_COMM_WORLD,
+              &request_);
   }
 
-  std::optional<std::string> receive(const std::atomic<bool>& cancelled) override {
+  /// Waits until the other side has all that was sent.
+  void finish() {
+    if (request_ != MPI_REQUEST_NULL) MPI_Wait(&request_, MPI_STATUS_IGNORE);
+  }
+
+  std::optional<std::string> receive(const std::atomic<bool>& cancelled,
+                                     double patience_s) override {
     MPI_Status status;
     int is_there = 0;
+    const Clock::time_point begin = Clock::now();
     std::optional<Clock::time_point> deadline;
+    if (patience_s > 0.0) {
+      deadline = begin + std::chrono::duration_cast<Clock::duration>(
+                             std::chrono::duration<double>(patience_s));
+    }
+    bool was_cancelled = false;
     while (true) {
       MPI_Iprobe(other_, kTag, MPI_COMM_WORLD, &is_there, &status);
       if (is_there != 0) break;
-      if (cancelled && !deadline) deadline = Clock::now() + kPatience;
+      if (cancelled && !was_cancelled) deadline = Clock::now() + kPatience;
+      was_cancelled = cancelled;
       if (deadline && Clock::now() > *deadline) {
         is_lost_ = true;
         return std::nullopt;
@@ -59,6 +75,8 @@ class MpiChannel : public Channel {
  private:
   int other_;
   bool is_lost_ = false;
+  std::string sent_;
+  MPI_Request request_ = MPI_REQUEST_NULL;
 };
 
 /// One of the processes that mpirun started.
@@ -82,6 +100,7 @@ class MpiRanks : public Ranks {
     if (rank_ == 0) {
       for (const auto& channel : channels_) channel->send("");
     }
+    for (const auto& channel : channels_) channel->finish();
     MPI_Finalize();
   }
 

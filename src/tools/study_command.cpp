@@ -10,6 +10,7 @@
 #include "learning/learn_options.h"
 #include "study/methods.h"
 #include "tools/command_line.h"
+#include "tools/learner_file.h"
 #include "tools/package_files.h"
 
 namespace hexapod {
@@ -45,13 +46,19 @@ void requireKnownAlgorithms(const std::string& algorithms) {
   }
 }
 
-/// A file of the learner's options: those of the study are taken.
+std::set<std::string> namesOf(const std::vector<Option>& options) {
+  std::set<std::string> names;
+  for (const Option& option : options) names.insert(option.name);
+  return names;
+}
+
+/// A file of the learner's options: those that a study has, too, are taken.
 void applyLearnFile(const std::string& file, StudyOptions& study) {
-  std::map<std::string, OptionValue> values = optionValuesFromYaml(file);
-  std::set<std::string> known;
-  for (const Option& option : declareOptions(study)) known.insert(option.name);
-  for (auto value = values.begin(); value != values.end();) {
-    value = known.count(value->first) > 0 ? std::next(value) : values.erase(value);
+  LearnOptions learn;
+  const std::set<std::string> of_study = namesOf(declareOptions(study));
+  std::map<std::string, OptionValue> values = valuesFromLearnerFile(file);
+  for (const std::string& name : namesOf(declareOptions(learn))) {
+    if (of_study.count(name) == 0) values.erase(name);
   }
   applyOptions(declareOptions(study), values, file);
 }

@@ -167,16 +167,59 @@ TEST(DistributedEvaluator, GivesUpABatchWhoseWorkerIsLost) {
   EXPECT_THROW(shared.evaluate(someGenomes(4)), EvaluationCancelled);
 }
 
+TEST(DistributedEvaluator, DoesThePartOfAWorkerThatAnswersNoMoreAndGoesOnWithoutIt) {
+  const Crew crew({1, 1});
+  auto [here, there] = QueueChannel::makePair();
+  there->send(toMessage(Introduction{"run", 3, ""}));
+  there->send(QueueChannel::kSilence);
+  DistributedEvaluator::Workers workers = crew.workers();
+  workers.insert(workers.begin() + 1, here);
+  Analytic local;
+  Analytic alone;
+  DistributedEvaluator shared(local, {"run", 1, ""}, workers, kNotCancelled);
+  for (const std::size_t count : {16, 5}) {
+    expectSame(shared.evaluate(someGenomes(count)), alone.evaluate(someGenomes(count)));
+  }
+}
+
+TEST(DistributedEvaluator, RefusesAWorkerThatDoesNotIntroduceItself) {
+  auto [here, there] = QueueChannel::makePair();
+  there->send(QueueChannel::kSilence);
+  Analytic local;
+  const std::string sentence = complaintOf([&, channel = here] {
+    DistributedEvaluator(local, {"run", 1, ""}, {channel}, kNotCancelled, 60.0);
+  });
+  EXPECT_TRUE(mentions(sentence, "Process 1") && mentions(sentence, "60 s")) << sentence;
+}
+
+TEST(DistributedEvaluator, IsCancelledByAWorkerThatIsAskedToStop) {
+  auto [here, there] = QueueChannel::makePair();
+  there->send(toMessage(Introduction{"run", 1, ""}));
+  Result stopped;
+  stopped.cancelled = true;
+  there->send(toMessage(stopped));
+  Analytic local;
+  DistributedEvaluator shared(local, {"run", 1, ""}, {here}, kNotCancelled);
+  EXPECT_THROW(shared.evaluate(someGenomes(4)), EvaluationCancelled);
+}
+
 TEST(WorkMessage, ReadsBackWhatWasWritten) {
   const Task task{3, {{0, 1, 2}, {}, {4}}, Analytic().evaluate(someGenomes(3))};
   const Task read = taskFrom(toMessage(task));
   EXPECT_EQ(read.look, 3);
   EXPECT_EQ(read.genomes, task.genomes);
   expectSame(read.previous, task.previous);
-  const Result result = resultFrom(toMessage(Result{task.previous, 17, "why"}));
+  const Result result = resultFrom(toMessage(Result{task.previous, 17, "why", true}));
   expectSame(result.outcomes, task.previous);
   EXPECT_EQ(result.simulations, 17);
   EXPECT_EQ(result.problem, "why");
+  EXPECT_TRUE(result.cancelled);
+}
+
+TEST(WorkMessage, RefusesAVerdictThatThereIsNot) {
+  Outcome outcome;
+  outcome.verdict = static_cast<Verdict>(17);
+  EXPECT_THROW(resultFrom(toMessage(Result{{outcome}})), std::runtime_error);
 }
 
 TEST(WorkMessage, RefusesWhatIsCutShortOrTooLong) {
@@ -194,7 +237,7 @@ TEST_F(SharedSessionTest, EndsWithTheEntriesOfASessionAlone) {
   LearnOptions options = smallRun("a.db");
   options.threads = 1;
   auto [here, there] = QueueChannel::makePair();
-  std::thread worker([&, channel = there] { workFor(*channel, robot_, options); });
+  std::thread worker([&, channel = there] { workFor(*channel, robot_, options, kNotCancelled); });
   {
     LearningSession session(robot_, options, [this] { return now(); }, {here});
     EXPECT_TRUE(session.run({}));

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 #include <stdexcept>
+#include <thread>
 
 #include "learning_fixture.h"
 
@@ -152,6 +153,55 @@ TEST_F(LearningSessionTest, KeepsTheLastGoodStateOnAFullDiskAndSavesAgainWhenThe
   EXPECT_EQ(failures, 2);
   EXPECT_EQ(saved,
             (std::map<std::int64_t, std::int64_t>{{1, 1}, {2, 2}, {3, 2}, {4, 2}, {5, 5}, {6, 6}}));
+}
+
+TEST_F(LearningSessionTest, SaysThatItsLastSaveFailedUntilOneSucceeds) {
+  const LearnOptions options = smallRun("a.db");
+  LearningSession session(robot_, options, [this] { return now(); });
+  std::unique_ptr<FullDisk> full;
+  LearningSession::Hooks hooks;
+  hooks.progress = [&](const LearningSession& running) {
+    if (running.status().counters.generations == 3) full = std::make_unique<FullDisk>();
+  };
+  EXPECT_TRUE(session.run(hooks));
+  EXPECT_TRUE(mentions(session.saveProblem(), "a.db")) << session.saveProblem();
+  EXPECT_EQ(session.saveNow(), session.saveProblem());
+  EXPECT_EQ(loadRepertoire(options.repertoire_file).generation, 3);
+  full.reset();
+  EXPECT_EQ(session.saveNow(), "");
+  EXPECT_EQ(session.saveProblem(), "");
+  EXPECT_EQ(digestOf(loadRepertoire(options.repertoire_file).entries),
+            digestOf(session.repertoire().entries));
+}
+
+TEST_F(LearningSessionTest, SavesInEveryPhaseWhenAnotherThreadAsksForIt) {
+  LearnOptions options = smallRun("a.db");
+  options.checkpoint_period_s = 1000.0;
+  options.resimulate = true;
+  options.behavior.gait_duration_s = 0.3;
+  options.evolution.novelty_threshold_m = 0.01;
+  LearningSession session(robot_, options, [this] { return now(); });
+  EXPECT_TRUE(mentions(session.saveNow(), "Nothing has been learned yet"));
+  std::set<std::string> saved_phases;
+  LearningSession::Hooks hooks;
+  hooks.progress = [&](const LearningSession& running) {
+    const std::string phase = toString(running.status().phase);
+    if (!saved_phases.insert(phase).second) return;
+    std::thread([&] { EXPECT_EQ(session.saveNow(), ""); }).join();
+    EXPECT_EQ(loadLearnerState(options.repertoire_file).at("session.phase"), phase);
+  };
+  EXPECT_TRUE(session.run(hooks));
+  EXPECT_EQ(saved_phases,
+            (std::set<std::string>{"evolving", "validating", "trying_worlds", "done"}));
+}
+
+TEST_F(LearningSessionTest, IsLimitedByTimeAloneWhenOnlyATimeIsGiven) {
+  LearnOptions options;
+  EXPECT_EQ(withBudget(options).evaluations, 20000);
+  options.time_budget_s = 60.0;
+  EXPECT_EQ(withBudget(options).evaluations, 1000000000);
+  options.evaluations = 300;
+  EXPECT_EQ(withBudget(options).evaluations, 300);
 }
 
 TEST_F(LearningSessionTest, SavesAboutEveryPeriod) {

@@ -30,7 +30,7 @@ class QueueChannel : public Channel {
     out_->arrived.notify_one();
   }
 
-  std::optional<std::string> receive(const std::atomic<bool>&) override {
+  std::optional<std::string> receive(const std::atomic<bool>&, double) override {
     std::unique_lock<std::mutex> lock(in_->mutex);
     in_->arrived.wait(lock, [this] { return !in_->messages.empty(); });
     const std::string message = in_->messages.front();

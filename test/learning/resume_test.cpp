@@ -65,19 +65,23 @@ TEST_F(ResumeTest, RepeatsWhatWasLostSinceTheLastCheckpoint) {
     LearningSession::Hooks hooks;
     hooks.progress = [&](const LearningSession& running) {
       const std::int64_t generation = running.status().counters.generations;
-      if (generation == 1) session.requestSave();
+      if (generation == 1) {
+        EXPECT_EQ(session.saveNow(), "");
+      }
       if (generation == 4) throw Killed();
     };
     EXPECT_THROW(session.run(hooks), Killed);
   }
-  EXPECT_EQ(loadRepertoire(options.repertoire_file).generation, 2);
+  EXPECT_EQ(loadRepertoire(options.repertoire_file).generation, 1);
   ASSERT_TRUE(learn(resumed(options)));
   expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
 }
 
 TEST_F(ResumeTest, ValidatesAnewWhatWasKilledWhileValidating) {
   const LearnOptions options = smallRun("a.db");
-  killWhen(options, [](const LearningStatus& status) { return status.entries_validated == 3; });
+  killWhen(options, [](const LearningStatus& status) {
+    return status.phase == LearningPhase::kValidating && status.checked == 3;
+  });
   EXPECT_EQ(loadRepertoire(options.repertoire_file).evaluations, 55);
   ASSERT_TRUE(learn(resumed(options)));
   expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
@@ -88,7 +92,9 @@ TEST_F(ResumeTest, VerifiesAnewWhatWasKilledWhileVerifying) {
   options.verify_with_ode = true;
   options.behavior.gait_duration_s = 0.3;
   options.evolution.novelty_threshold_m = 0.01;
-  killWhen(options, [](const LearningStatus& status) { return status.entries_verified == 3; });
+  killWhen(options, [](const LearningStatus& status) {
+    return status.phase == LearningPhase::kVerifying && status.checked == 3;
+  });
   EXPECT_EQ(loadRepertoire(options.repertoire_file).evaluations, 55);
   ASSERT_TRUE(learn(resumed(options)));
   const Repertoire repertoire = loadRepertoire(options.repertoire_file);
@@ -129,6 +135,30 @@ TEST_F(ResumeTest, LeavesAFinishedRunAsItIs) {
   EXPECT_EQ(session.status().phase, LearningPhase::kDone);
   EXPECT_EQ(digestOf(session.repertoire().entries), digest);
   EXPECT_EQ(contentOf(options.repertoire_file), before);
+}
+
+TEST_F(ResumeTest, ChecksAFinishedRunAnewWithOtherTrialsAsIfItHadHadThemFromTheStart) {
+  LearnOptions options = smallRun("a.db");
+  ASSERT_TRUE(learn(options));
+  options.validation_trials = 3;
+  ASSERT_TRUE(learn(resumed(options)));
+  expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
+}
+
+TEST_F(ResumeTest, ChecksAFinishedRunAgainWhenTold) {
+  LearnOptions options = smallRun("a.db");
+  ASSERT_TRUE(learn(options));
+  const Repertoire before = loadRepertoire(options.repertoire_file);
+  options = resumed(options);
+  options.check_again = true;
+  std::int64_t validated = 0;
+  LearningSession::Hooks hooks;
+  hooks.progress = [&](const LearningSession& running) {
+    if (running.status().phase == LearningPhase::kValidating) ++validated;
+  };
+  ASSERT_TRUE(learn(options, hooks));
+  EXPECT_EQ(validated, static_cast<std::int64_t>(before.entries.size()));
+  expectSameRun(loadRepertoire(options.repertoire_file), before);
 }
 
 TEST_F(ResumeTest, GivenMoreEvaluationsEndsAsIfItHadHadThemFromTheStart) {

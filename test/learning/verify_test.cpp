@@ -64,7 +64,8 @@ TEST_F(VerifyTest, IsRecordedInTheFile) {
   std::int64_t seen = 0;
   LearningSession::Hooks hooks;
   hooks.progress = [&](const LearningSession& session) {
-    seen = std::max(seen, session.status().entries_verified);
+    const LearningStatus status = session.status();
+    if (status.phase == LearningPhase::kVerifying) seen = std::max(seen, status.checked);
   };
   ASSERT_TRUE(learn(options, hooks));
   const Repertoire repertoire = loadRepertoire(options.repertoire_file);

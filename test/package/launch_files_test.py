@@ -40,3 +40,31 @@ def test_names_are_relative_so_that_a_namespace_works(file):
                 for key in ("name", "to", "ns") for value in [element.get(key, "")]
                 if value.startswith("/") and value not in GLOBAL_BY_NATURE]
     assert not absolute
+
+
+def learner_params(*arguments):
+    """What the learner finds on the parameter server, by the names of its options."""
+    config = pytest.importorskip("roslaunch.config")
+    loaded = config.load_config_default([(str(ROOT / "launch/learn.launch"), list(arguments))],
+                                        None, verbose=False)
+    prefix = "/learner/"
+    return {name[len(prefix):]: param.value for name, param in loaded.params.items()
+            if name.startswith(prefix)}
+
+
+def test_arguments_of_learn_left_empty_keep_the_values_of_the_file(tmp_path):
+    values = {"evaluations": 250000, "seed": 7, "threads": 3, "engine": "ode", "overwrite": True,
+              "resume": False, "exit_when_done": True, "time_budget_s": 9.5,
+              "check_again": True, "repertoire_file": "/data/mine.db"}
+    file = tmp_path / "mine.yaml"
+    file.write_text("".join(f"{name}: {str(value).lower() if isinstance(value, bool) else value}\n"
+                            for name, value in values.items()))
+    found = learner_params(f"config:={file}")
+    assert {name: found[name] for name in values} == values
+    assert learner_params(f"config:={file}", "evaluations:=500")["evaluations"] == 500
+
+
+def test_a_value_that_neither_file_nor_argument_gives_is_left_to_the_learner():
+    found = learner_params()
+    assert found["repertoire_file"].endswith("/.ros/hexapod_repertoire.db")
+    assert not {"evaluations", "seed", "threads", "engine", "resume"} & set(found)

@@ -106,6 +106,82 @@ TEST(RepertoireWriter, GoesOnWhenItsFileOrFolderWasRemoved) {
   EXPECT_EQ(loadRepertoire(folder.file("sub/a.db")).entries.size(), 40U);
 }
 
+/// Another run's repertoire, which is not to be lost.
+Repertoire another() {
+  Repertoire repertoire = sampleRepertoire(7);
+  repertoire.run_id = "another";
+  return repertoire;
+}
+
+void expectRefusedUntilMovedAway(RepertoireWriter& writer, const std::string& file) {
+  const std::string before = contentOf(file);
+  for (int tries = 0; tries < 2; ++tries) {
+    const std::string sentence = complaintOf([&] { writer.save(sampleRepertoire()); });
+    EXPECT_TRUE(mentions(sentence, file) && mentions(sentence, "not overwritten")) << sentence;
+  }
+  EXPECT_EQ(contentOf(file), before);
+  std::filesystem::rename(file, file + ".away");
+  writer.save(sampleRepertoire());
+  EXPECT_EQ(loadRepertoire(file).run_id, "run-11");
+  EXPECT_EQ(loadRepertoire(file + ".away").run_id, "another");
+}
+
+TEST(RepertoireWriter, DoesNotOverwriteAFileThatTookThePlaceOfItsOwn) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("other.db"), another());
+  RepertoireWriter writer(folder.file("a.db"));
+  writer.save(sampleRepertoire());
+  std::filesystem::rename(folder.file("other.db"), folder.file("a.db"));
+  expectRefusedUntilMovedAway(writer, folder.file("a.db"));
+}
+
+TEST(RepertoireWriter, DoesNotOverwriteAFileThatCameBeforeItsFirstSave) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("other.db"), another());
+  RepertoireWriter writer(folder.file("a.db"));
+  std::filesystem::rename(folder.file("other.db"), folder.file("a.db"));
+  expectRefusedUntilMovedAway(writer, folder.file("a.db"));
+}
+
+TEST(RepertoireWriter, DoesNotOverwriteWhatSomebodyElseWroteIntoItsFile) {
+  const TemporaryFolder folder;
+  saveRepertoire(folder.file("other.db"), another());
+  RepertoireWriter writer(folder.file("a.db"));
+  writer.save(sampleRepertoire());
+  std::ofstream(folder.file("a.db"), std::ios::binary) << contentOf(folder.file("other.db"));
+  expectRefusedUntilMovedAway(writer, folder.file("a.db"));
+}
+
+TEST(RepertoireWriter, LeavesAFileThatWasMovedAndBeginsAnother) {
+  const TemporaryFolder folder;
+  RepertoireWriter writer(folder.file("a.db"));
+  writer.save(another());
+  std::filesystem::rename(folder.file("a.db"), folder.file("b.db"));
+  writer.save(sampleRepertoire());
+  EXPECT_EQ(loadRepertoire(folder.file("a.db")).run_id, "run-11");
+  EXPECT_EQ(loadRepertoire(folder.file("b.db")).run_id, "another");
+}
+
+TEST(RepertoireWriter, GoesOnWithAFileThatWasOnlyTouched) {
+  const TemporaryFolder folder;
+  RepertoireWriter writer(folder.file("a.db"));
+  writer.save(another());
+  std::filesystem::last_write_time(folder.file("a.db"), {});
+  writer.save(sampleRepertoire());
+  EXPECT_EQ(loadRepertoire(folder.file("a.db")).run_id, "run-11");
+}
+
+TEST(RepertoireWriter, ASecondNameOfALockedFileIsRefused) {
+  const TemporaryFolder folder;
+  RepertoireWriter writer(folder.file("a.db"));
+  writer.save(another());
+  std::filesystem::create_hard_link(folder.file("a.db"), folder.file("b.db"));
+  const std::string sentence = complaintOf([&] { RepertoireWriter(folder.file("b.db")); });
+  EXPECT_TRUE(mentions(sentence, "hard links") && mentions(sentence, "copy")) << sentence;
+  writer.save(sampleRepertoire());
+  EXPECT_EQ(loadRepertoire(folder.file("a.db")).run_id, "run-11");
+}
+
 TEST(RepertoireWriter, ARefusedSaveLeavesTheLastGoodContent) {
   const TemporaryFolder folder;
   RepertoireWriter writer(folder.file("a.db"));

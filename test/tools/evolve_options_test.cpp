@@ -57,10 +57,26 @@ TEST(EvolveOptions, AFileComesOnTopOfThePresetAndTheCommandLineOnTopOfBoth) {
 TEST(EvolveOptions, LimitsARunByTimeAlone) {
   const EvolveOptions by_time = evolveOptionsFrom({"--file", "a.db", "--seconds", "90"});
   EXPECT_EQ(by_time.learn.time_budget_s, 90.0);
-  EXPECT_EQ(by_time.learn.evaluations, 1000000000);
+  EXPECT_EQ(withBudget(by_time.learn).evaluations, 1000000000);
   const EvolveOptions by_both =
       evolveOptionsFrom({"--file", "a.db", "--seconds", "90", "--evaluations", "500"});
   EXPECT_EQ(by_both.learn.evaluations, 500);
+}
+
+TEST(EvolveOptions, TakesABudgetOfTimeFromAFileForOne) {
+  const std::string file = testing::TempDir() + "hexapod_evolve_time.yaml";
+  std::ofstream(file) << "time_budget_s: 60.0\n";
+  const EvolveOptions by_file = evolveOptionsFrom({"--file", "a.db", "--config", file});
+  EXPECT_EQ(withBudget(by_file.learn).evaluations, 1000000000);
+  std::filesystem::remove(file);
+}
+
+TEST(EvolveOptions, RefusesToWriteTheEntriesOverTheRepertoire) {
+  for (const char* csv : {"a.db", "./a.db", "b/../a.db", "a.db.lock", "a.db-journal"}) {
+    const std::string sentence = complaintOf({"--file", "a.db", "--csv", csv});
+    EXPECT_TRUE(mentions(sentence, "'csv' and 'file' are the same file")) << csv << sentence;
+  }
+  EXPECT_EQ(evolveOptionsFrom({"--file", "a.db", "--csv", "a.csv"}).csv, "a.csv");
 }
 
 TEST(EvolveOptions, SuggestsTheNearestName) {

@@ -84,6 +84,31 @@ def test_exports_the_entries(tmp_path):
     assert len(lines) == 1 + len(kill_resume.entries(tmp_path / "a.db"))
 
 
+def test_a_last_save_that_fails_is_no_success_and_is_the_last_that_is_said(tmp_path):
+    file = tmp_path / "a.db"
+    # No file may grow beyond 4 KiB: to the program that is a full disk.
+    result = subprocess.run(
+        ["prlimit", "--fsize=4096", EVOLVE, "--file", str(file), "--evaluations", "40", *SMALL],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, universal_newlines=True,
+        timeout=HANGS_S, check=False, preexec_fn=lambda: signal.signal(signal.SIGXFSZ,
+                                                                       signal.SIG_IGN))
+    assert result.returncode == 1
+    last = result.stdout.splitlines()[-1]
+    assert last.startswith("ERROR: ") and str(file) in last and "lost" in last
+    assert "Stopped and saved" not in result.stdout
+
+
+def test_entries_are_not_written_over_the_repertoire(tmp_path):
+    file = tmp_path / "a.db"
+    assert evolve("--file", file, "--evaluations", 40, *SMALL).returncode == 0
+    before = file.read_bytes()
+    (tmp_path / "link.csv").symlink_to(file)
+    result = evolve("--file", file, "--csv", tmp_path / "link.csv", "--resume", "--evaluations", 60,
+                    *SMALL)
+    assert result.returncode == 2 and "same file" in result.stderr
+    assert file.read_bytes() == before
+
+
 def test_help_has_a_line_for_every_option():
     result = evolve("--help")
     assert result.returncode == 0
@@ -140,6 +165,42 @@ def children(pid):
     found = subprocess.run(["ps", "-o", "pid=", "--ppid", str(pid)], stdout=subprocess.PIPE,
                            universal_newlines=True, check=True).stdout
     return [int(word) for word in found.split()]
+
+
+@needs_mpi
+@pytest.mark.parametrize("who", ["mpirun", "learner", "worker"])
+def test_asked_to_stop_several_processes_save_and_lose_nobody(tmp_path, who):
+    file = tmp_path / "a.db"
+    with subprocess.Popen(mpirun(2, "--file", file, *ENDLESS), stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, universal_newlines=True) as process:
+        for line in process.stdout:
+            if line.startswith("Learning: 6"):
+                break
+        ranks = sorted(children(process.pid))
+        os.kill({"mpirun": process.pid, "learner": ranks[0], "worker": ranks[1]}[who],
+                signal.SIGTERM)
+        rest, _ = process.communicate(timeout=HANGS_S)
+    assert "Stopped and saved" in rest, rest
+    assert "No answer" not in rest
+    assert kill_resume.evaluations(file) > 0
+
+
+@needs_mpi
+def test_a_process_that_hangs_is_given_up_and_the_others_do_its_part(tmp_path):
+    options = ["--evaluations", "1000", *SMALL]
+    assert evolve("--file", tmp_path / "one.db", *options).returncode == 0
+    with subprocess.Popen(
+            mpirun(3, "--file", tmp_path / "three.db", *options, "--progress_period_s", "0.0",
+                   "--worker_patience_s", "1.0"),
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True) as process:
+        for line in process.stdout:
+            if line.startswith("Learning: "):
+                break
+        os.kill(max(children(process.pid)), signal.SIGSTOP)
+        rest, _ = process.communicate(timeout=HANGS_S)
+    assert "No answer any more from process" in rest, rest
+    assert (kill_resume.entries(tmp_path / "three.db")
+            == kill_resume.entries(tmp_path / "one.db"))
 
 
 @needs_mpi

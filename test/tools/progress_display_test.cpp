@@ -27,7 +27,8 @@ LearningStatus halfDone() {
 LearningStatus validating(std::int64_t validated) {
   LearningStatus status = halfDone();
   status.phase = LearningPhase::kValidating;
-  status.entries_validated = validated;
+  status.checked = validated;
+  status.to_check = 120;
   return status;
 }
 

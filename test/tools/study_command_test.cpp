@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 
 namespace hexapod {
@@ -37,6 +39,21 @@ TEST(StudyCommand, TakesTheStudysOptionsFromAPresetOfTheLearner) {
   EXPECT_TRUE(studyCommandFrom({"--preset", "learn"}).study.evolution.offer_twins);
   EXPECT_FALSE(studyCommandFrom({"--preset", "learn", "--offer_twins", "false"})
                    .study.evolution.offer_twins);
+}
+
+TEST(StudyCommand, RefusesAnOptionInAFileThatNeitherStudyNorLearnerHas) {
+  const std::string file = testing::TempDir() + "hexapod_study_options.yaml";
+  std::ofstream(file) << "mutation_rate: 0.2\ncheckpoint_period_s: 1.0\n";
+  EXPECT_EQ(studyCommandFrom({"--config", file}).study.evolution.mutation_rate, 0.2);
+  std::ofstream(file) << "mutatoin_rate: 0.2\n";
+  try {
+    studyCommandFrom({"--config", file});
+    ADD_FAILURE() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'mutation_rate'"), std::string::npos)
+        << error.what();
+  }
+  std::filesystem::remove(file);
 }
 
 TEST(StudyCommand, NamesTheAlgorithmsThereAre) {

@@ -17,7 +17,11 @@ using std::chrono::milliseconds;
 
 constexpr double kTellPeriod_s = 1.0;
 constexpr double kComplainPeriod_s = 10.0;
-constexpr milliseconds kPausePoll{50};
+constexpr milliseconds kPoll{50};
+// A save that failed is tried again now and then while there is time, and so often at the end.
+constexpr double kRetryPeriod_s = 10.0;
+constexpr milliseconds kLastRetryPeriod{500};
+constexpr int kLastTries = 5;
 
 double seconds(std::chrono::steady_clock::time_point time) {
   return duration<double>(time.time_since_epoch()).count();
@@ -47,43 +51,72 @@ LearnerNode::LearnerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                          const LearnerOptions& options)
     : options_(options),
       session_(robotFromParams(node, options.robot_config), options.learn,
-               [] { return seconds(Clock::now()); }),
+               [] { return seconds(SteadyClock::now()); }),
       repertoire_publisher_(node),
       progress_publisher_(
-          private_node.advertise<hexapod_repertoire::LearningProgress>("progress", 1, true)) {
-  run_id_ = session_.repertoire().run_id;
-  save_ = private_node.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
-      "save", [this](auto&, auto& response) {
-        session_.requestSave();
-        response.success = true;
-        response.message = "The file will be written at the end of the generation under way.";
-        return true;
-      });
-  pause_ = private_node.advertiseService<std_srvs::SetBool::Request, std_srvs::SetBool::Response>(
-      "pause", [this](auto& request, auto& response) {
-        paused_ = request.data;
-        response.success = true;
-        response.message = request.data ? "Pausing after the generation under way." : "Going on.";
-        return true;
-      });
+          private_node.advertise<hexapod_repertoire::LearningProgress>("progress", 1, true)),
+      save_(private_node.advertiseService("save", &LearnerNode::save, this)),
+      pause_(private_node.advertiseService("pause", &LearnerNode::pause, this)),
+      run_id_(session_.repertoire().run_id) {}
+
+bool LearnerNode::save(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  const std::string problem = session_.saveNow();
+  response.success = problem.empty();
+  response.message =
+      problem.empty() ? "Written to " + options_.learn.repertoire_file + "." : problem;
+  return true;
 }
 
-bool LearnerNode::run() {
-  ROS_INFO_STREAM("Learning run " << run_id_ << ": " << options_.learn.evaluations
+bool LearnerNode::pause(std_srvs::SetBool::Request& request,
+                        std_srvs::SetBool::Response& response) {
+  response.success = !ended_;
+  if (ended_) {
+    response.message = "Learning has ended: there is nothing to pause.";
+    return true;
+  }
+  paused_ = request.data;
+  response.message =
+      request.data ? "Pausing after the generation, or the entry, under way." : "Going on.";
+  return true;
+}
+
+int LearnerNode::run() {
+  const LearningStatus status = session_.status();
+  ROS_INFO_STREAM("Learning run " << run_id_ << ": " << status.evaluations_budget
                                   << " evaluations into " << options_.learn.repertoire_file << ".");
   if (!session_.resumeRemark().empty()) ROS_INFO_STREAM(session_.resumeRemark());
   if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
+  const bool finished = learn();
+  ended_ = true;
+  const std::string remark = session_.verificationRemark();
+  if (!remark.empty()) ROS_WARN_STREAM(remark);
+  SteadyClock::time_point tried = SteadyClock::now();
+  while (finished && !options_.exit_when_done && !askedToLeave()) {
+    if (due(tried, kRetryPeriod_s)) retrySaving();
+    std::this_thread::sleep_for(kPoll);
+  }
+  for (int tries = 0; tries < kLastTries && !session_.saveProblem().empty(); ++tries) {
+    std::this_thread::sleep_for(kLastRetryPeriod);
+    retrySaving();
+  }
+  const std::string problem = session_.saveProblem();
+  if (problem.empty()) return 0;
+  ROS_ERROR_STREAM(problem << " What was learned since is lost.");
+  return 1;
+}
+
+bool LearnerNode::learn() {
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { progress(); };
   hooks.save_failed = [this](const std::string& problem) {
     if (due(complained_, kComplainPeriod_s)) {
-      ROS_ERROR_STREAM(problem << " Learning goes on; saving will be tried again.");
+      ROS_ERROR_STREAM(problem << " Saving will be tried again.");
     }
   };
   // ROS's shutdown must reach into a generation under way.
   std::atomic<bool> ended{false};
   std::thread watch([this, &ended] {
-    while (!askedToLeave() && !ended) std::this_thread::sleep_for(kPausePoll);
+    while (!askedToLeave() && !ended) std::this_thread::sleep_for(kPoll);
     session_.requestStop();
   });
   const auto join = [&] {
@@ -93,8 +126,6 @@ bool LearnerNode::run() {
   try {
     const bool finished = session_.run(hooks);
     join();
-    const std::string remark = session_.verificationRemark();
-    if (!remark.empty()) ROS_WARN_STREAM(remark);
     return finished;
   } catch (...) {
     join();
@@ -102,9 +133,17 @@ bool LearnerNode::run() {
   }
 }
 
+void LearnerNode::retrySaving() {
+  if (session_.saveProblem().empty()) return;
+  const std::string problem = session_.saveNow();
+  if (problem.empty()) ROS_INFO_STREAM("The repertoire is saved now.");
+  if (!problem.empty() && due(complained_, kComplainPeriod_s)) ROS_ERROR_STREAM(problem);
+}
+
 void LearnerNode::progress() {
   const LearningStatus status = session_.status();
   const bool done = status.phase == LearningPhase::kDone;
+  if (done) ended_ = true;
   if (due(told_, kTellPeriod_s) || done) {
     publishProgress(status);
     ROS_INFO_STREAM(describe(status));
@@ -113,7 +152,14 @@ void LearnerNode::progress() {
   if (done || (evolving && due(published_, options_.publish_period_s))) {
     repertoire_publisher_.publish(session_.repertoire());
   }
-  while (paused_ && evolving && !askedToLeave()) std::this_thread::sleep_for(kPausePoll);
+  if (!done) waitWhilePaused();
+}
+
+void LearnerNode::waitWhilePaused() {
+  while (paused_ && !askedToLeave()) {
+    if (due(told_, kTellPeriod_s)) publishProgress(session_.status());
+    std::this_thread::sleep_for(kPoll);
+  }
 }
 
 void LearnerNode::publishProgress(const LearningStatus& status) {

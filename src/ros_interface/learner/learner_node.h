@@ -8,7 +8,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <memory>
 #include <string>
 
 #include "learning/learning_session.h"
@@ -28,20 +27,28 @@ struct LearnerOptions {
 std::vector<Option> declareOptions(LearnerOptions& options);
 
 /// Shows a LearningSession to ROS: repertoire and markers when they changed (at most every
-/// publish_period_s), ~progress and a line on the terminal once a second, ~save and ~pause.
+/// publish_period_s), ~progress once a second, paused or not, and a line on the terminal, ~save and
+/// ~pause.
 class LearnerNode {
  public:
   /// Throws as LearningSession does, and for a robot description that is missing or wrong.
   LearnerNode(ros::NodeHandle& node, ros::NodeHandle& private_node, const LearnerOptions& options);
 
-  /// Learns in the calling thread until done or ROS shuts down. Returns true when all was done.
-  bool run();
+  /// Learns in the calling thread until done or ROS shuts down; with exit_when_done false it goes
+  /// on serving then. What could not be saved is tried again all the while, and some times more
+  /// before it returns. Returns the exit code: 0 when all that was learned is in the file.
+  int run();
 
  private:
-  using Clock = std::chrono::steady_clock;
+  using SteadyClock = std::chrono::steady_clock;
 
+  bool learn();
   void progress();
+  void waitWhilePaused();
   void publishProgress(const LearningStatus& status);
+  void retrySaving();
+  bool save(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
+  bool pause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   LearnerOptions options_;
   LearningSession session_;
@@ -50,10 +57,11 @@ class LearnerNode {
   ros::ServiceServer save_;
   ros::ServiceServer pause_;
   std::atomic<bool> paused_{false};
+  std::atomic<bool> ended_{false};
   std::string run_id_;
-  Clock::time_point told_{};
-  Clock::time_point published_{};
-  Clock::time_point complained_{};
+  SteadyClock::time_point told_{};
+  SteadyClock::time_point published_{};
+  SteadyClock::time_point complained_{};
 };
 
 }  // namespace hexapod

@@ -1,0 +1,110 @@
+#include "learning/learning_run.h"
+
+#include "gait/behavior.h"
+#include "repertoire/metrics.h"
+
+namespace hexapod {
+namespace {
+
+BrEvolution makeEvolution(const RobotDescription& robot, const LearnOptions& options,
+                          CandidateEvaluator& evaluator, const std::optional<Resumed>& resumed) {
+  if (resumed) {
+    return BrEvolution(options.evolution, robot.geneCount(), evaluator.evaluator(),
+                       resumed->checkpoint.evolution, evaluator.symmetries());
+  }
+  return BrEvolution(options.evolution, robot.geneCount(), evaluator.evaluator(),
+                     Random(static_cast<std::uint64_t>(options.seed)), evaluator.symmetries());
+}
+
+}  // namespace
+
+LearningRun::LearningRun(const RobotDescription& robot, const LearnOptions& options,
+                         const std::optional<Resumed>& resumed, const std::atomic<bool>& cancelled,
+                         const DistributedEvaluator::Workers& workers)
+    : robot_(robot),
+      options_(options),
+      engine_(chooseEngine(options.engine, robot)),
+      worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
+                                          static_cast<int>(options.threads))),
+      evaluator_(worlds_, options, cancelled, workers),
+      evolution_(makeEvolution(robot, options, evaluator_, resumed)) {
+  if (resumed) goOn(*resumed);
+}
+
+void LearningRun::goOn(const Resumed& resumed) {
+  history_ = resumed.history;
+  elapsed_s_ = resumed.checkpoint.elapsed_s;
+  earlier_simulations_ = resumed.checkpoint.simulations;
+  phase_found_ = budgetIsLeft() ? LearningPhase::kEvolving : resumed.checkpoint.phase;
+  if (phase_found_ != LearningPhase::kDone) return;
+  if (options_.check_again || resumed.checks_differ) {
+    phase_found_ = LearningPhase::kVerifying;
+    return;
+  }
+  executions_ = resumed.executions;
+  dropped_ = resumed.checkpoint.dropped;
+  facts_ = resumed.facts;
+}
+
+bool LearningRun::budgetIsLeft() const {
+  const bool time_is_left = options_.time_budget_s <= 0.0 || elapsed_s_ < options_.time_budget_s;
+  return time_is_left && counters().evaluations < options_.evaluations;
+}
+
+void LearningRun::step() { evolution_.step(options_.evaluations - counters().evaluations); }
+
+void LearningRun::recordHistory() {
+  if (!history_.empty() && history_.back().evaluations == counters().evaluations) return;
+  const RepertoireMetrics metrics = measure(learnedEndings(learned()));
+  HistoryRow row;
+  row.evaluations = counters().evaluations;
+  row.archive_size = static_cast<std::int64_t>(learned().size());
+  row.sparseness_m = metrics.sparseness_m;
+  row.median_orientation_error_rad = metrics.median_error_in_region_rad;
+  row.max_reach_m = metrics.max_reach_m;
+  row.elapsed_s = elapsed_s_;
+  history_.push_back(row);
+}
+
+std::vector<Entry> LearningRun::entries() const {
+  std::vector<Entry> kept;
+  for (const Entry& entry : learned()) {
+    if (dropped_.count(entry.id) > 0) continue;
+    kept.push_back(entry);
+    const auto execution = executions_.find(entry.id);
+    if (execution != executions_.end()) kept.back().execution = execution->second;
+  }
+  return kept;
+}
+
+void LearningRun::add(const Findings& findings) {
+  dropped_.insert(findings.dropped.begin(), findings.dropped.end());
+  for (const auto& [id, execution] : findings.executions) executions_[id] = execution;
+  for (const auto& [name, text] : findings.facts) facts_[name] = text;
+  if (findings.held_out && !history_.empty()) history_.back().held_out = findings.held_out;
+}
+
+Repertoire LearningRun::repertoire() const {
+  Repertoire repertoire;
+  repertoire.options = resultOptions(options_);
+  repertoire.run_id = runId(robot_, repertoire.options);
+  repertoire.robot_id = robot_.digest;
+  repertoire.seed = static_cast<std::uint64_t>(options_.seed);
+  repertoire.generation = counters().generations;
+  repertoire.evaluations = counters().evaluations;
+  repertoire.behavior_duration_s = static_cast<double>(behaviorParts(options_.behavior).total()) *
+                                   options_.behavior.command_period_s;
+  repertoire.joint_names = robot_.jointNames();
+  repertoire.facts = facts_;
+  repertoire.facts["engine"] = toString(engine_.engine);
+  repertoire.facts["simulations"] = std::to_string(simulations());
+  repertoire.entries = entries();
+  repertoire.history = history_;
+  return repertoire;
+}
+
+Checkpoint LearningRun::checkpoint(LearningPhase phase) const {
+  return {evolution_.state(), phase, elapsed_s_, simulations(), dropped_};
+}
+
+}  // namespace hexapod
