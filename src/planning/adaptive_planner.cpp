@@ -23,6 +23,7 @@ void addDrift(const Eigen::Vector2d& drift_m, PlanResult& result) {
     step.world_from_end = shifted(step.world_from_end, ++behaviors * drift_m);
   }
   result.world_from_end = shifted(result.world_from_end, behaviors * drift_m);
+  result.world_from_target = shifted(result.world_from_target, behaviors * drift_m);
 }
 
 }  // namespace
@@ -75,8 +76,17 @@ void AdaptivePlanner::observe(std::size_t entry, const Pose2& world_from_before,
       {repertoire_->entries.at(entry), world_from_before, world_from_after, joints});
   std::shared_ptr<const Repertoire> expected = foresight_->expected(repertoire_);
   if (expected == expected_) return;
-  auto planner = std::make_shared<const Planner>(*expected, options_);
   expected_ = std::move(expected);
+  rebuild();
+}
+
+void AdaptivePlanner::setPaths(EntryPaths paths) {
+  paths_ = std::move(paths);
+  rebuild();
+}
+
+void AdaptivePlanner::rebuild() {
+  auto planner = std::make_shared<const Planner>(*expected_, options_, Deviation{}, paths_);
   const std::lock_guard<std::mutex> lock(mutex_);
   planner_ = std::move(planner);
 }

@@ -26,6 +26,9 @@ class AdaptivePlanner {
 
   const Repertoire& repertoire() const { return *repertoire_; }
 
+  /// Plans along these paths from now on. By the thread of observe().
+  void setPaths(EntryPaths paths);
+
   /// The planner as of the last observation; it stays as it is for whoever holds it.
   std::shared_ptr<const Planner> planner() const;
 
@@ -40,10 +43,13 @@ class AdaptivePlanner {
                const std::vector<JointRange>& joints = {});
 
  private:
+  void rebuild();
+
   const std::shared_ptr<const Repertoire> repertoire_;
   const PlannerOptions options_;
   const std::shared_ptr<Foresight> foresight_;
   std::shared_ptr<const Repertoire> expected_;  // of planner_
+  EntryPaths paths_;                            // likewise
   mutable std::mutex mutex_;
   std::shared_ptr<const Planner> planner_;  // guarded by mutex_
 };

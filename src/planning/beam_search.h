@@ -1,66 +1,50 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <unordered_set>
 #include <vector>
 
-#include "planning/plan_cost.h"
-#include "planning/planning_tables.h"
+#include "planning/chain_tree.h"
+#include "planning/goal_finish.h"
+#include "planning/search_budget.h"
 
 namespace hexapod {
 
-/// What a search found. Chains are indices into PlanningTables::moves, first move first.
+/// What a search found.
 struct SearchResult {
   bool found = false;
-  bool exhausted = true;           ///< false: cut short by the limit on work or by `stop`
+  bool exhausted = true;           ///< false: cut short by the budget
+  int at_least = 1;                ///< proved: no chain of fewer moves leads there
+  double price = 0.0;              ///< of a found chain
   std::vector<std::size_t> chain;  ///< the best; when none was found: the one that ends nearest
 };
 
 /// One search for the chain of least cost that leads to a goal.
 ///
-/// The state is the goal as seen from the robot. Level by level (number of moves) states are
-/// finished from tables: with one move, found by the pose that remains, and with two moves, from
-/// the table of pairs. Chains of one and two moves are thus all seen, those of three nearly all;
-/// beyond, a beam of the most promising states (cost so far + StepsToGo) is extended by
-/// representative moves, at most one state per cell of position and heading. The search ends at the
-/// level after which no longer chain can cost less. Deterministic; one object per search, used by
-/// one thread.
+/// The state is the goal as seen from the robot. Chains are finished from tables: with one move,
+/// found by the pose that remains, and with two moves, from the table of pairs. Chains of up to
+/// three moves are thus all seen when the table holds all pairs (else nearly all); for longer ones
+/// a beam of the most promising states (cost so far + StepsToGo, along the ways around obstacles)
+/// is extended level by level by representative moves, at most one state per cell of position and
+/// heading: first a narrow beam, which gives a plan early, then the full one while a plan of fewer
+/// moves is not ruled out and less was spent on better plans than on the first. What is ruled out
+/// adds up to a lower bound: by StepsBound, by the ways, by what was seen exhaustively; chains of
+/// four moves, if need be, by all pairs of pairs.
+///
+/// An earlier chain is kept as far as it still leads along free ways; its last moves are exchanged,
+/// or only its beginning is kept, while the result is as good as expected. Deterministic; one
+/// object per search, used by one thread.
 class BeamSearch {
  public:
-  struct Problem {
-    Pose2 start_from_goal;
-    GoalTolerance tolerance;
-    std::function<bool()> stop;                                  ///< may be empty
-    std::function<bool(const Pose2& start_from_robot)> is_free;  ///< may be empty
-  };
-
   /// Keeps references to all three.
-  BeamSearch(const PlanningTables& tables, const PlannerOptions& options, const Problem& problem);
+  BeamSearch(const PlanningTables& tables, const PlannerOptions& options,
+             const SearchProblem& problem, int at_least);
 
   /// To be called once.
   SearchResult run();
 
  private:
-  using Index = std::uint32_t;
-
-  struct Node {
-    Pose2 remaining;  ///< robot_from_goal
-    Index parent = 0;
-    Index move = 0;  ///< that led here from the parent
-    int steps = 0;
-    double cost = 0.0;
-    Uncertainty uncertainty;
-  };
-
-  /// A node followed by `moves` (0 .. 2) more moves.
-  struct Finish {
-    double price;
-    Index node = 0;
-    int moves = 0;
-    Index first = 0;
-    Index second = 0;
-  };
+  using Index = ChainTree::Index;
 
   /// A child that may enter the next beam.
   struct Candidate {
@@ -70,37 +54,36 @@ class BeamSearch {
     Pose2 remaining;
   };
 
+  bool keepsEarlier();
+  void exchangeEnd(Index node);
   void searchShortChains();
-  void searchLongChains();
+  void searchLongChains(Index from, std::size_t width, int most_steps);
+  void searchPairsOfPairs();
+  void addFirstMoves();
+  void ruleOut(int steps, bool exact);
+  int movesLeft(int most_steps, int steps) const;
   bool settled(int steps) const;
-  bool stopped();
+  bool mayImprove() const;
+  std::size_t firstWidth() const;
 
-  void finishWithOne(Index node, double widest_m, double widest_rad);
-  void finishWithTwo(Index node);
-  void consider(Finish finish, const PoseTable::Chain& chain);
-  void considerNearest(const Finish& finish, double distance_m, double heading_rad);
-
-  std::vector<Index> nextBeam(const std::vector<Index>& beam);
-  std::vector<Candidate> children(const std::vector<Index>& beam);
-  Index addNode(Index parent, Index move, const Pose2& remaining);
+  std::vector<Index> nextBeam(const std::vector<Index>& beam, std::size_t width, int moves_left);
+  std::vector<Candidate> children(const std::vector<Index>& beam, int moves_left);
+  void addChildren(Index parent, int moves_left, std::vector<Candidate>& candidates);
+  double estimate(const Pose2& remaining, const Pose2& world_from_robot) const;
   bool enterCell(const Pose2& remaining);
-
-  bool isFree(const Finish& finish) const;
-  bool isFreeStep(const Pose2& remaining, const Move& move) const;
-  std::vector<std::size_t> chainOf(const Finish& finish) const;
+  bool isTooFar(const Pose2& remaining, int moves) const;
 
   const PlanningTables& tables_;
   const PlannerOptions& options_;
-  const Problem& problem_;
-  EndCost end_cost_;
+  const SearchProblem& problem_;
+  SearchBudget budget_;
+  ChainTree tree_;
+  GoalFinish finish_;
   double cell_m_;
   double cell_rad_;
-  std::int64_t work_left_;
-  bool cut_short_ = false;
-  std::vector<Node> nodes_;
+  int at_least_;
+  Index first_moves_ = 0;                    ///< nodes 1 .. first_moves_ are those after one move
   std::unordered_set<std::uint64_t> cells_;  ///< already in a beam
-  Finish best_;
-  Finish nearest_;
 };
 
 }  // namespace hexapod

@@ -52,13 +52,15 @@ double separation(const Move& a, const Move& b) {
 }  // namespace
 
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
-                              const Deviation& deviation) {
+                              const Deviation& deviation, const EntryPaths& paths) {
   std::vector<Move> result;
   for (const std::size_t i : steadyEntries(repertoire.entries, options.steadiness)) {
     const Entry& entry = repertoire.entries[i];
     if (finiteSpread(entry) && moves(entry)) {
       result.push_back(moveOf(entry, options, deviation));
       result.back().entry = i;
+      result.back().path =
+          makeMovePath(result.back().end, i < paths.size() ? paths[i] : std::vector<Pose2>{});
     }
   }
   return result;

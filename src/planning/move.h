@@ -6,6 +6,7 @@
 
 #include "geometry/pose2.h"
 #include "planning/deviation.h"
+#include "planning/move_path.h"
 #include "planning/planner_options.h"
 #include "repertoire/repertoire.h"
 
@@ -27,6 +28,7 @@ struct Move {
   double spread_m = 0.0;  ///< expected, from the validation and the prior of the options
   double spread_rad = 0.0;
   double cost = 1.0;  ///< behaviours: 1 and the price of its spread
+  MovePath path;      ///< of base_footprint, to `end`
 
   /// The goal as seen after this move: inverse(end) * start_from_goal.
   Pose2 remaining(const Pose2& start_from_goal) const {
@@ -41,9 +43,9 @@ struct Move {
 /// that fell in its validation, that does not move, or whose pose is not finite.
 /// A validated spread counts as much as its number of trials against two trials of the unvalidated
 /// spread, so that an entry is not trusted after a single lucky trial.
-/// Where they lead is corrected by `deviation`.
+/// Where they lead is corrected by `deviation`; `paths` are theirs by index, where they are known.
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
-                              const Deviation& deviation);
+                              const Deviation& deviation, const EntryPaths& paths = {});
 
 /// Indices of at most `count` moves that cover the end poses evenly, best spread first: each next
 /// one is the farthest from those chosen (metres; a radian counts as 0.3 m), discounted by its

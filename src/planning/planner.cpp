@@ -6,11 +6,10 @@
 
 #include "common/text.h"
 #include "planning/beam_search.h"
+#include "planning/plan_messages.h"
 
 namespace hexapod {
 namespace {
-
-std::string text(double number) { return numberText(number, 3); }
 
 const PlannerOptions& checked(const PlannerOptions& options) {
   PlannerOptions copy = options;
@@ -18,7 +17,7 @@ const PlannerOptions& checked(const PlannerOptions& options) {
     const auto refuse = [&](double value) {
       if (value >= option.min && value <= option.max) return;
       throw std::invalid_argument("Option " + option.name + " of the planner must be in " +
-                                  option.range() + ", not " + text(value) + ".");
+                                  option.range() + ", not " + numberText(value, 3) + ".");
     };
     if (const auto* number = std::get_if<double*>(&option.target)) refuse(**number);
     if (const auto* count = std::get_if<std::int64_t*>(&option.target)) {
@@ -28,30 +27,10 @@ const PlannerOptions& checked(const PlannerOptions& options) {
   return options;
 }
 
-/// Empty when the request can be answered.
-std::string whyInvalid(const PlanRequest& request, const PlannerOptions& options) {
-  const GoalTolerance& tolerance = request.tolerance;
-  const double far_m = distance(request.world_from_start, request.world_from_goal);
-  if (!isFinite(request.world_from_goal)) {
-    return "The goal " + poseText(request.world_from_goal) +
-           " is not finite: give finite coordinates.";
-  }
-  if (!isFinite(request.world_from_start)) {
-    return "The start " + poseText(request.world_from_start) +
-           " is not finite: the pose of the robot is not known.";
-  }
-  if (!(tolerance.xy_m > 0.0) || !std::isfinite(tolerance.xy_m)) {
-    return "The xy tolerance must be a positive number of metres, not " + text(tolerance.xy_m) +
-           ".";
-  }
-  if (!std::isfinite(tolerance.yaw_rad) || tolerance.yaw_rad == 0.0) {
-    return "The yaw tolerance must be positive, or negative for any heading [rad], not " +
-           text(tolerance.yaw_rad) + ".";
-  }
-  if (far_m <= options.max_goal_distance_m) return "";
-  return "The goal " + poseText(request.world_from_goal) + " is " + text(far_m) +
-         " m away, farther than max_goal_distance_m = " + text(options.max_goal_distance_m) +
-         ": walk there by goals in between, or raise the option.";
+void measureTo(const Pose2& world_from_end, PlanResult& result) {
+  result.world_from_end = world_from_end;
+  result.distance_m = distance(world_from_end, result.world_from_target);
+  result.heading_rad = headingDistance(world_from_end, result.world_from_target);
 }
 
 bool arrived(const PlanResult& result, const GoalTolerance& tolerance) {
@@ -59,113 +38,182 @@ bool arrived(const PlanResult& result, const GoalTolerance& tolerance) {
          (tolerance.anyHeading() || result.heading_rad <= tolerance.yaw_rad);
 }
 
-std::string noRepertoire(std::size_t entries) {
-  if (entries == 0) return "The repertoire has no entries: learn or load one first.";
-  return "None of the " + std::to_string(entries) +
-         " entries of the repertoire can be planned with: each fell in its validation, does not "
-         "move, or has no finite end pose. Learn another one.";
+/// Whether the robot can stand at the goal, or beside it well within the tolerance.
+bool canStandAt(const Obstacles& obstacles, const Pose2& goal, const GoalTolerance& tolerance) {
+  if (obstacles.isFree(goal)) return true;
+  for (int i = 0; i < 8; ++i) {
+    const double direction_rad = M_PI / 4.0 * i;
+    const double off_m = 0.7 * tolerance.xy_m;
+    if (obstacles.isFree({goal.x_m + off_m * std::cos(direction_rad),
+                          goal.y_m + off_m * std::sin(direction_rad), goal.yaw_rad})) {
+      return true;
+    }
+  }
+  return false;
 }
 
-std::string describe(const PlanResult& result, const PlanRequest& request,
-                     const PlannerOptions& options) {
-  const std::string end = text(result.distance_m) + " m and " +
-                          text(result.heading_rad * 180.0 / M_PI) + " deg from the goal.";
-  if (result.code == PlanCode::kFound) {
-    return "Plan of " + std::to_string(result.steps.size()) +
-           (result.steps.size() == 1 ? " behaviour" : " behaviours") + ", predicted to end " + end;
-  }
-  const std::string goal = "the goal " + poseText(request.world_from_goal);
-  const std::string nearest =
-      "; the nearest pose found is " + poseText(result.world_from_end) + ", " + end;
-  if (result.code == PlanCode::kUnreachable) {
-    return "No chain of at most " + std::to_string(options.max_steps) +
-           " behaviours was found to " + goal + nearest;
-  }
-  return "No plan to " + goal + " was found before planning was stopped or planning_time_s = " +
-         text(options.planning_time_s) + " was used up" + nearest;
+WayField::Question questionOf(const PlanRequest& request, const Pose2& target) {
+  return {request.obstacles, request.world_from_start, target, request.tolerance.xy_m};
 }
 
 }  // namespace
 
-std::string toString(PlanCode code) {
-  switch (code) {
-    case PlanCode::kFound:
-      return "found";
-    case PlanCode::kAlreadyThere:
-      return "already there";
-    case PlanCode::kInvalidGoal:
-      return "invalid goal";
-    case PlanCode::kNoRepertoire:
-      return "no repertoire";
-    case PlanCode::kUnreachable:
-      return "unreachable";
-    case PlanCode::kTimeout:
-      return "timeout";
-  }
-  return "unknown";
-}
-
 Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options,
-                 const Deviation& deviation)
-    : options_(checked(options)), tables_(repertoire, options_, deviation) {
+                 const Deviation& deviation, const EntryPaths& paths)
+    : options_(checked(options)),
+      tables_(repertoire, options_, deviation, paths),
+      move_of_(repertoire.entries.size(), kNone) {
   ids_.reserve(repertoire.entries.size());
   for (const Entry& entry : repertoire.entries) ids_.push_back(entry.id);
+  for (std::size_t i = 0; i < tables_.moves.size(); ++i) move_of_[tables_.moves[i].entry] = i;
 }
 
 PlanResult Planner::plan(const PlanRequest& request) const {
   PlanResult result;
+  result.world_from_target = request.world_from_goal;
   result.world_from_end = request.world_from_start;
   result.message = whyInvalid(request, options_);
   if (!result.message.empty()) {
     result.code = PlanCode::kInvalidGoal;
     return result;
   }
-  result.distance_m = distance(request.world_from_start, request.world_from_goal);
-  result.heading_rad = headingDistance(request.world_from_start, request.world_from_goal);
+  measureTo(request.world_from_start, result);
   if (arrived(result, request.tolerance)) {
     result.code = PlanCode::kAlreadyThere;
-    result.message = "The goal is within tolerance of the start: no behaviour is needed.";
   } else if (tables_.moves.empty()) {
     result.code = PlanCode::kNoRepertoire;
     result.message = noRepertoire(ids_.size());
-  } else {
+    return result;
+  } else if (!request.obstacles || (standsFree(request, result) && findsWays(request, result))) {
     search(request, result);
-    result.message = describe(result, request, options_);
   }
+  result.message = describe(result, request, options_);
   return result;
 }
 
-double Planner::reach_m() const {
-  double reach_m = 0.0;
-  for (const Move& move : tables_.moves) reach_m = std::max(reach_m, move.length_m);
-  return reach_m;
+/// Whether the robot stands free and can do so at the goal, or at what is nearest to it.
+bool Planner::standsFree(const PlanRequest& request, PlanResult& result) const {
+  const Obstacles& obstacles = *request.obstacles;
+  if (obstacles.clearance_m(request.world_from_start) < -obstacles.options().footprint_margin_m) {
+    result.code = PlanCode::kStartOccupied;
+    return false;
+  }
+  if (canStandAt(obstacles, request.world_from_goal, request.tolerance)) return true;
+  return movesTarget(request, result, PlanCode::kGoalOccupied);
+}
+
+/// Whether there is a way to the target, or to what is nearest to it.
+bool Planner::findsWays(const PlanRequest& request, PlanResult& result) const {
+  const WayField::Question question = questionOf(request, result.world_from_target);
+  const PlanMemory& memory = request.memory;
+  if (memory.ways && memory.ways->answers(question)) {
+    result.memory.ways = memory.ways;
+    result.memory.bound = memory.bound;
+    return true;
+  }
+  WaySearch found = findWays(question);
+  result.memory.ways = found.ways;
+  result.memory.bound = found.bound;
+  if (!found.blocked) return true;
+  return movesTarget(request, result, PlanCode::kBlocked) && findsWays(request, result);
+}
+
+/// Where the goal cannot be had: takes the nearest free pose that has a way for the target, if that
+/// is wanted, and else tells it. False when there is nothing left to search.
+bool Planner::movesTarget(const PlanRequest& request, PlanResult& result, PlanCode code) const {
+  const std::optional<Pose2> nearest =
+      nearestFreePose(questionOf(request, request.world_from_goal));
+  const bool moved = distance(result.world_from_target, request.world_from_goal) > 0.0;
+  if (request.goal_policy == GoalPolicy::kNearest && nearest && !moved) {
+    result.world_from_target = *nearest;
+    measureTo(request.world_from_start, result);
+    if (!arrived(result, request.tolerance)) return true;
+    result.code = PlanCode::kAlreadyThere;
+    return false;
+  }
+  result.code = code;
+  if (nearest) measureTo(*nearest, result);
+  return false;
 }
 
 void Planner::search(const PlanRequest& request, PlanResult& result) const {
-  BeamSearch::Problem problem{inverse(request.world_from_start) * request.world_from_goal,
-                              request.tolerance,
-                              request.stop,
-                              {}};
-  if (request.is_free) {
-    problem.is_free = [&request](const Pose2& start_from_robot) {
-      return request.is_free(request.world_from_start * start_from_robot);
-    };
+  const SearchProblem problem = problemOf(request, result);
+  const SearchResult found =
+      BeamSearch(tables_, options_, problem, boundOf(problem, result.memory.bound.get())).run();
+  compose(found.chain, problem.obstacles, result);
+  measureTo(result.world_from_end, result);
+  result.at_least_steps = static_cast<std::size_t>(found.at_least);
+  if (found.found) {
+    result.code = PlanCode::kFound;
+    result.memory.price = found.price - tables_.moves[found.chain.front()].cost;
+    return;
   }
-  const SearchResult found = BeamSearch(tables_, options_, problem).run();
+  result.steps.clear();
+  result.memory.entries.clear();
+  result.code = found.at_least > options_.max_steps ? PlanCode::kTooManySteps
+                : found.exhausted                   ? PlanCode::kUnreachable
+                                                    : PlanCode::kTimeout;
+}
+
+SearchProblem Planner::problemOf(const PlanRequest& request, const PlanResult& result) const {
+  SearchProblem problem;
+  problem.world_from_start = request.world_from_start;
+  problem.world_from_goal = result.world_from_target;
+  problem.tolerance = request.tolerance;
+  problem.stop = request.stop;
+  problem.improved = request.improved;
+  problem.obstacles = request.obstacles.get();
+  problem.ways = result.memory.ways.get();
+  if (request.obstacles) {
+    problem.least_clearance_m =
+        std::min(0.0, request.obstacles->clearance_m(request.world_from_start));
+  }
+  const std::vector<std::size_t>& entries = request.memory.entries;
+  for (std::size_t i = 1; i < entries.size(); ++i) {
+    const std::size_t move = entries[i] < move_of_.size() ? move_of_[entries[i]] : kNone;
+    if (move == kNone) {
+      problem.earlier.clear();
+      break;
+    }
+    problem.earlier.push_back(move);
+  }
+  problem.earlier_price = request.memory.price;
+  return problem;
+}
+
+/// Behaviours at least, before any search.
+int Planner::boundOf(const SearchProblem& problem, const WayField* bound_of_ways) const {
+  const StepsBound& bound = tables_.steps_bound;
+  const int steps =
+      bound(inverse(problem.world_from_start) * problem.world_from_goal, problem.tolerance);
+  if (!bound_of_ways) return steps;
+  const double way_m =
+      bound_of_ways->atLeast_m(problem.world_from_start.x_m, problem.world_from_start.y_m);
+  return std::max(steps, static_cast<int>(std::ceil((way_m - 1e-9) / bound.longest_path_m())));
+}
+
+/// Fills in the steps of a chain, where they lead, and the room along them.
+void Planner::compose(const std::vector<std::size_t>& chain, const Obstacles* obstacles,
+                      PlanResult& result) const {
   Uncertainty uncertainty;
-  for (const std::size_t index : found.chain) {
+  for (const std::size_t index : chain) {
     const Move& move = tables_.moves[index];
+    if (obstacles) {
+      result.clearance_m =
+          std::min(result.clearance_m, obstacles->clearance_m(result.world_from_end, move.path));
+    }
     result.world_from_end = result.world_from_end * move.end;
     uncertainty = uncertainty.after(move, 1.0);
-    if (found.found) result.steps.push_back({move.entry, ids_[move.entry], result.world_from_end});
+    result.steps.push_back({move.entry, ids_[move.entry], result.world_from_end});
+    result.memory.entries.push_back(move.entry);
   }
-  result.distance_m = distance(result.world_from_end, request.world_from_goal);
-  result.heading_rad = headingDistance(result.world_from_end, request.world_from_goal);
   result.spread_m = std::sqrt(uncertainty.position_m2);
   result.spread_rad = std::sqrt(uncertainty.heading_rad2);
-  result.code = found.found       ? PlanCode::kFound
-                : found.exhausted ? PlanCode::kUnreachable
-                                  : PlanCode::kTimeout;
+}
+
+double Planner::clearance_m(const Obstacles& obstacles, const Pose2& world_from_start,
+                            std::size_t entry) const {
+  return obstacles.clearance_m(world_from_start, tables_.moves.at(move_of_.at(entry)).path);
 }
 
 }  // namespace hexapod

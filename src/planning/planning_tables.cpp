@@ -44,11 +44,12 @@ PoseTable tabulatePairs(const std::vector<Move>& moves, std::int64_t max_pairs) 
 }  // namespace
 
 PlanningTables::PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
-                               const Deviation& deviation)
-    : moves(usableMoves(repertoire, options, deviation)),
+                               const Deviation& deviation, const EntryPaths& paths)
+    : moves(usableMoves(repertoire, options, deviation, paths)),
       representatives(chooseRepresentatives(moves)),
       singles(tabulateSingles(moves)),
       pairs(tabulatePairs(moves, options.max_pairs)),
-      steps_to_go(moves) {}
+      steps_to_go(moves),
+      steps_bound(moves) {}
 
 }  // namespace hexapod

@@ -4,6 +4,7 @@
 
 #include "planning/move.h"
 #include "planning/pose_table.h"
+#include "planning/steps_bound.h"
 #include "planning/steps_to_go.h"
 
 namespace hexapod {
@@ -11,7 +12,10 @@ namespace hexapod {
 /// What is computed once per repertoire. Immutable.
 struct PlanningTables {
   PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
-                 const Deviation& deviation);
+                 const Deviation& deviation, const EntryPaths& paths);
+
+  /// Whether `pairs` holds every pair there is.
+  bool hasAllPairs() const { return pairs.size() == moves.size() * moves.size(); }
 
   std::vector<Move> moves;
   /// Indices of few moves that stand for all: evenly spread ones, and those that reach farthest.
@@ -19,6 +23,7 @@ struct PlanningTables {
   PoseTable singles;  ///< all moves
   PoseTable pairs;    ///< all pairs of moves, or of a well-spread subset when those are too many
   StepsToGo steps_to_go;
+  StepsBound steps_bound;
 };
 
 }  // namespace hexapod

@@ -29,6 +29,13 @@ class PoseTable {
   template <typename Visit>
   void visitNear(const Pose2& centre, double radius_m, double half_width_rad, Visit&& visit) const;
 
+  /// False when no chain ends within that box: a chain may when a cell that touches it holds one.
+  bool mayEndNear(const Pose2& centre, double radius_m, double half_width_rad) const {
+    bool any = false;
+    visitNear(centre, radius_m, half_width_rad, [&any](const Chain&) { any = true; });
+    return any;
+  }
+
   std::size_t size() const { return chains_.size(); }
 
  private:

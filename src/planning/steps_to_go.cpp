@@ -34,16 +34,22 @@ double StepsToGo::turning(double angle_rad) const {
 }
 
 double StepsToGo::operator()(const Pose2& start_from_goal, bool any_heading) const {
-  const double far_m = std::hypot(start_from_goal.x_m, start_from_goal.y_m);
-  const double weight = std::min(1.0, far_m / kNear_m);
-  const double ahead_rad = std::atan2(start_from_goal.y_m, start_from_goal.x_m);
+  return (*this)(
+      Ahead{std::hypot(start_from_goal.x_m, start_from_goal.y_m),
+            std::atan2(start_from_goal.y_m, start_from_goal.x_m), 0.0, start_from_goal.yaw_rad},
+      any_heading);
+}
+
+double StepsToGo::operator()(const Ahead& ahead, bool any_heading) const {
+  const double weight = std::min(1.0, ahead.length_m / kNear_m);
   const auto driving = [&](double towards_rad, double reach_m) {
     const double first_turn_rad = weight * towards_rad;
     const double last_turn_rad =
-        any_heading ? 0.0 : wrapOnce(start_from_goal.yaw_rad - first_turn_rad);
-    return far_m / reach_m + turning(first_turn_rad) + turning(last_turn_rad);
+        any_heading ? 0.0 : wrapOnce(wrapOnce(ahead.heading_rad - first_turn_rad) - ahead.bend_rad);
+    return ahead.length_m / reach_m + turning(first_turn_rad) + turning(last_turn_rad);
   };
-  return std::min(driving(ahead_rad, forward_m_), driving(wrapOnce(ahead_rad + M_PI), backward_m_));
+  return std::min(driving(ahead.direction_rad, forward_m_),
+                  driving(wrapOnce(ahead.direction_rad + M_PI), backward_m_));
 }
 
 }  // namespace hexapod

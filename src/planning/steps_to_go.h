@@ -12,9 +12,19 @@ namespace hexapod {
 /// bound.
 class StepsToGo {
  public:
+  /// What lies ahead of the robot.
+  struct Ahead {
+    double length_m = 0.0;       ///< of the way
+    double direction_rad = 0.0;  ///< in which it begins, seen from the robot
+    double bend_rad = 0.0;       ///< between the directions of its beginning and its end
+    double heading_rad = 0.0;    ///< of the goal, seen from the robot
+  };
+
   explicit StepsToGo(const std::vector<Move>& moves);
 
-  /// Behaviours to the goal at `start_from_goal`; its heading plays no part when `any_heading`.
+  /// Behaviours; the heading of the goal plays no part when `any_heading`. Angles in -pi .. pi.
+  double operator()(const Ahead& ahead, bool any_heading) const;
+  /// Straight to the goal.
   double operator()(const Pose2& start_from_goal, bool any_heading) const;
 
   /// Longest distance that one behaviour covers [m].

@@ -60,7 +60,11 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
   request.world_from_goal = world_from_goal_;
   request.tolerance = tolerance_;
   request.stop = stop;
+  request.obstacles = obstacles_;
+  request.goal_policy = options_.goal_policy;
+  request.memory = std::move(memory_);
   decision.plan = planner_->plan(request);
+  memory_ = decision.plan.memory;
   decision.message = decision.plan.message;
   if (decision.plan.code == PlanCode::kAlreadyThere) {
     decision.state = WalkState::kArrived;

@@ -28,9 +28,11 @@ struct WalkOptions {
   /// Moved this many times as far as the farthest entry leads, the robot did not walk: its pose
   /// jumped.
   double jump_reaches = 2.5;
+  GoalPolicy goal_policy = GoalPolicy::kRefuse;
 };
 
-/// One walk to a goal, behaviour by behaviour, planned anew from the measured pose before each one.
+/// One walk to a goal, behaviour by behaviour, planned anew from the measured pose before each one,
+/// with the plan before for a start.
 ///
 /// Knows no clock and no robot: decide() is told where the robot stands at rest and answers what to
 /// play. Not thread-safe.
@@ -50,9 +52,17 @@ class Walk {
   /// The next behaviour, or the end. `stop` may end the planning early (PlanRequest::stop).
   Decision decide(const Pose2& world_from_robot, const std::function<bool()>& stop = {});
 
+  /// Where the robot may be from the next decision on; null: everywhere.
+  void setObstacles(std::shared_ptr<const Obstacles> obstacles) {
+    obstacles_ = std::move(obstacles);
+  }
+
   /// The behaviour of the last decision was not played as it is: where it led says nothing of the
   /// repertoire, so the next decide() neither learns from it nor counts it as failed.
-  void disregardLastStep() { expected_.reset(); }
+  void disregardLastStep() {
+    expected_.reset();
+    memory_ = {};
+  }
 
   std::int64_t stepsTaken() const { return steps_taken_; }
 
@@ -68,6 +78,8 @@ class Walk {
   std::int64_t most_steps_ = 0;  // 0 until the first plan
   std::optional<PlannedStep> expected_;
   Pose2 before_;
+  std::shared_ptr<const Obstacles> obstacles_;
+  PlanMemory memory_;  // of the last plan, whose first step is expected_
 };
 
 }  // namespace hexapod

@@ -128,7 +128,8 @@ TEST_F(WalkTest, KeepsWhatWasLearnedWhenTheRepertoireGrows) {
     return before * Pose2{1.3 * step.x_m, 1.3 * step.y_m, step.yaw_rad + 0.17};
   };
   walkWith(turns_too_much, {2.0, 1.0, -2.0});
-  const PlanRequest request{Pose2(), kGoal, GoalTolerance(), {}, {}};
+  PlanRequest request;
+  request.world_from_goal = kGoal;
   const PlanResult learned = planner_->planner()->plan(request);
   const AdaptivePlanner grown(planner_->repertoire(), *planner_);
   const PlanResult after = grown.planner()->plan(request);

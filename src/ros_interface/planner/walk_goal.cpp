@@ -12,6 +12,10 @@ std::uint8_t codeOf(PlanCode code) {
     case PlanCode::kNoRepertoire:
       return GoalCode::NO_REPERTOIRE;
     case PlanCode::kUnreachable:
+    case PlanCode::kGoalOccupied:
+    case PlanCode::kStartOccupied:
+    case PlanCode::kBlocked:
+    case PlanCode::kTooManySteps:
       return GoalCode::UNREACHABLE;
     case PlanCode::kTimeout:
       return GoalCode::PLANNING_TIMEOUT;

@@ -1,0 +1,125 @@
+#include "planning/plan_messages.h"
+
+#include <cmath>
+
+#include "common/text.h"
+
+namespace hexapod {
+namespace {
+
+std::string text(double number) { return numberText(number, 3); }
+
+/// Why there is no plan, up to the nearest pose.
+std::string describeFailure(const PlanResult& result, const PlanRequest& request,
+                            const PlannerOptions& options) {
+  const std::string goal = "the goal " + poseText(request.world_from_goal);
+  const std::string target = "the goal " + poseText(result.world_from_target);
+  switch (result.code) {
+    case PlanCode::kGoalOccupied:
+      return "The robot cannot stand at " + goal + ": with its margin it would touch an obstacle";
+    case PlanCode::kStartOccupied:
+      return "The robot stands at " + poseText(request.world_from_start) +
+             " within an obstacle of the map: check the map and the pose, or move the robot away";
+    case PlanCode::kBlocked:
+      return "Obstacles close every way to " + goal;
+    case PlanCode::kTooManySteps:
+      return "The goal " + poseText(result.world_from_target) + " takes at least " +
+             std::to_string(result.at_least_steps) +
+             " behaviours, more than max_steps = " + std::to_string(options.max_steps);
+    case PlanCode::kUnreachable:
+      return "No chain of at most " + std::to_string(options.max_steps) +
+             " behaviours was found to " + target;
+    default:
+      return "No plan to " + target +
+             " was found before planning was stopped or "
+             "planning_time_s = " +
+             text(options.planning_time_s) + " was used up";
+  }
+}
+
+/// "Plan of 3 behaviours", and what is proved of their number.
+std::string describeLength(const PlanResult& result) {
+  const std::size_t steps = result.steps.size();
+  return "Plan of " + std::to_string(steps) + (steps == 1 ? " behaviour" : " behaviours") +
+         (result.gap() == 0
+              ? " (no plan has fewer)"
+              : " (at least " + std::to_string(result.at_least_steps) + " are needed)");
+}
+
+}  // namespace
+
+std::string toString(PlanCode code) {
+  switch (code) {
+    case PlanCode::kFound:
+      return "found";
+    case PlanCode::kAlreadyThere:
+      return "already there";
+    case PlanCode::kInvalidGoal:
+      return "invalid goal";
+    case PlanCode::kNoRepertoire:
+      return "no repertoire";
+    case PlanCode::kUnreachable:
+      return "unreachable";
+    case PlanCode::kTimeout:
+      return "timeout";
+    case PlanCode::kGoalOccupied:
+      return "goal occupied";
+    case PlanCode::kStartOccupied:
+      return "start occupied";
+    case PlanCode::kBlocked:
+      return "blocked";
+    case PlanCode::kTooManySteps:
+      return "too many steps";
+  }
+  return "unknown";
+}
+
+std::string whyInvalid(const PlanRequest& request, const PlannerOptions& options) {
+  const GoalTolerance& tolerance = request.tolerance;
+  const double far_m = distance(request.world_from_start, request.world_from_goal);
+  if (!isFinite(request.world_from_goal)) {
+    return "The goal " + poseText(request.world_from_goal) +
+           " is not finite: give finite coordinates.";
+  }
+  if (!isFinite(request.world_from_start)) {
+    return "The start " + poseText(request.world_from_start) +
+           " is not finite: the pose of the robot is not known.";
+  }
+  if (!(tolerance.xy_m > 0.0) || !std::isfinite(tolerance.xy_m)) {
+    return "The xy tolerance must be a positive number of metres, not " + text(tolerance.xy_m) +
+           ".";
+  }
+  if (!std::isfinite(tolerance.yaw_rad) || tolerance.yaw_rad == 0.0) {
+    return "The yaw tolerance must be positive, or negative for any heading [rad], not " +
+           text(tolerance.yaw_rad) + ".";
+  }
+  if (far_m <= options.max_goal_distance_m) return "";
+  return "The goal " + poseText(request.world_from_goal) + " is " + text(far_m) +
+         " m away, farther than max_goal_distance_m = " + text(options.max_goal_distance_m) +
+         ": walk there by goals in between, or raise the option.";
+}
+
+std::string noRepertoire(std::size_t entries) {
+  if (entries == 0) return "The repertoire has no entries: learn or load one first.";
+  return "None of the " + std::to_string(entries) +
+         " entries of the repertoire can be planned with: each fell in its validation, does not "
+         "move, or has no finite end pose. Learn another one.";
+}
+
+std::string describe(const PlanResult& result, const PlanRequest& request,
+                     const PlannerOptions& options) {
+  if (result.code == PlanCode::kAlreadyThere) {
+    return "The goal is within tolerance of the start: no behaviour is needed.";
+  }
+  std::string end =
+      text(result.distance_m) + " m and " + text(result.heading_rad * 180.0 / M_PI) + " deg from ";
+  if (distance(result.world_from_target, request.world_from_goal) > 0.0) {
+    end += poseText(result.world_from_target) + ", the nearest free pose to ";
+  }
+  end += "the goal.";
+  if (result.code == PlanCode::kFound) return describeLength(result) + ", predicted to end " + end;
+  return describeFailure(result, request, options) + "; the nearest pose found is " +
+         poseText(result.world_from_end) + ", " + end;
+}
+
+}  // namespace hexapod

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "planning/obstacles.h"
+
+namespace hexapod {
+
+/// Shortest ways of base_footprint to one goal around the obstacles, heading left out: where the
+/// inner disc of the footprint fits. Orders the search and bounds it from below. Immutable.
+///
+/// A wave over square cells from the goal on (steps of 5 and 7 fifths for 1 and sqrt(2): never more
+/// than 1.08 times the length of a path through the cells), until the start is reached and a bit
+/// farther. Along it every cell takes over the corner that its predecessor heads for as long as it
+/// sees that one, which straightens the ways.
+class WayField {
+ public:
+  struct Question {
+    std::shared_ptr<const Obstacles> obstacles;
+    Pose2 world_from_start;
+    Pose2 world_from_goal;
+    double radius_m = 0.0;  ///< as near to the goal as that is there
+  };
+
+  /// Which cells are open.
+  enum class Open {
+    kSurely,   ///< where the robot's inner disc is free at the centre
+    kPossibly  ///< where it may be free at some point: no path is overlooked
+  };
+
+  /// How a way looks from a point.
+  struct Way {
+    double length_m = 0.0;
+    double direction_rad = 0.0;  ///< in which it begins, in the world
+    double arrival_rad = 0.0;    ///< in which it ends, in the world
+  };
+
+  /// `around_m`: how far from start and goal ways are looked for. Infinite: everywhere.
+  WayField(const Question& question, Open open, double around_m);
+
+  /// The pose nearest to the given one, with its heading, that is free and has a way here.
+  std::optional<Pose2> freePoseNearest(const Pose2& world_from_wish) const;
+
+  /// The way from a point, if one is known.
+  std::optional<Way> wayFrom(double world_x_m, double world_y_m) const;
+
+  /// With kPossibly: every path of base_footprint from there to the goal is at least so long [m];
+  /// infinite when there is none. Of places farther than the start: as of the farthest known.
+  double atLeast_m(double world_x_m, double world_y_m) const;
+
+  /// Whether it was made for that obstacles and goal, and knows a way from that start.
+  bool answers(const Question& question) const;
+
+ private:
+  using Index = std::int32_t;
+  static constexpr std::int32_t kUnseen = -1;
+  static constexpr std::int32_t kClosed = -2;
+
+  struct Cell {
+    std::int32_t fifths = kUnseen;  ///< to the goal, in fifths of a cell
+    Index corner = -1;              ///< cell that the way from here heads for in a straight line
+    float length_m = 0.0f;          ///< straightened
+    float arrival_rad = 0.0f;
+  };
+  struct Point {
+    double x_m, y_m;
+  };
+
+  void layOut(double around_m);
+  Index indexOf(double world_x_m, double world_y_m) const;
+  Point centreOf(Index cell) const;
+  bool isOpen(Index cell) const;
+  bool sees(const Point& from, const Point& to) const;
+  std::vector<Index> seeds() const;
+  void spread();
+  void straighten(Index cell, Index predecessor);
+  Way through(const Point& from, Index corner) const;
+
+  Question question_;
+  Open open_;
+  double cell_m_ = 0.05;
+  double west_m_ = 0.0;  ///< in the frame of the map
+  double south_m_ = 0.0;
+  Index columns_ = 0;
+  Index rows_ = 0;
+  double most_m_ = 0.0;  ///< paths from start to goal that leave the cells are longer
+  std::int32_t farthest_fifths_ = 0;
+  bool reached_ = false;
+  std::vector<Cell> cells_;
+};
+
+/// The ways to a goal, or that there is none.
+struct WaySearch {
+  std::shared_ptr<const WayField> ways;   ///< to order a search by
+  std::shared_ptr<const WayField> bound;  ///< with kPossibly; may be the same
+  bool blocked = false;                   ///< proved: no path leads from the start to the goal
+};
+
+/// First near start and goal and where there is surely room; then everywhere.
+WaySearch findWays(const WayField::Question& question);
+
+/// The free pose nearest to the goal, with its heading, to which there surely is a way from the
+/// start; nothing when the start itself has no room.
+std::optional<Pose2> nearestFreePose(const WayField::Question& question);
+
+}  // namespace hexapod

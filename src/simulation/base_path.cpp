@@ -1,0 +1,43 @@
+#include "simulation/base_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "simulation/rollout.h"
+
+namespace hexapod {
+namespace {
+
+std::vector<Pose2> basePath(World& world, const Behavior& behavior, double command_period_s,
+                            std::size_t commands_between) {
+  const std::size_t steps = stepsPerCommand(command_period_s, world.physics().step_s);
+  world.restart();
+  const Pose2 start_from_world = inverse(footprint(world.worldFromBase()));
+  std::vector<Pose2> path;
+  for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
+    world.setTargets(behavior.command(k));
+    for (std::size_t i = 0; i < steps; ++i) {
+      if (world.step() != Verdict::kWalked) return {};
+    }
+    if ((k + 1) % commands_between == 0 || k + 1 == behavior.commandCount()) {
+      path.push_back(start_from_world * footprint(world.worldFromBase()));
+    }
+  }
+  return path;
+}
+
+}  // namespace
+
+std::vector<std::vector<Pose2>> basePaths(WorldPool& worlds, const BehaviorOptions& options,
+                                          const std::vector<Genome>& genomes, double period_s) {
+  const auto between =
+      static_cast<std::size_t>(std::max(1.0, std::floor(period_s / options.command_period_s)));
+  std::vector<std::vector<Pose2>> paths(genomes.size());
+  worlds.forEach(genomes.size(), [&](World& world, std::size_t i) {
+    const Behavior behavior(world.robot(), canonical(genomes[i]), options);
+    paths[i] = basePath(world, behavior, options.command_period_s, between);
+  });
+  return paths;
+}
+
+}  // namespace hexapod
