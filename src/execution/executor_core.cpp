@@ -31,11 +31,10 @@ ExecutorCore::ExecutorCore(const RobotDescription& robot, const BehaviorOptions&
       period_s_(behavior.command_period_s),
       neutral_(robot.neutralPose()),
       sitting_(sittingPose(robot, options.sit_signal)),
-      gate_(robot, behavior.command_period_s, behavior.limit_velocity),
+      gate_(robot, behavior.command_period_s, options.gate),
       ramp_(robot),
       target_(neutral_),
-      measured_(neutral_),
-      ticks_off_(neutral_.size(), 0),
+      watch_(neutral_, period_s_, options),
       last_slot_(kNoSlot) {}
 
 Cause ExecutorCore::arm() {
@@ -43,20 +42,23 @@ Cause ExecutorCore::arm() {
   if (sendsCommands(status_.mode)) return judged(Reason::kAlreadyArmed);
   const Cause problem = checkStart();
   if (!problem.accepted()) return problem;
-  if (closedLoop()) gate_.reset(measured_);
-  std::fill(ticks_off_.begin(), ticks_off_.end(), 0);
+  gate_.reset(closedLoop() ? watch_.measured() : gate_.last());
+  watch_.forgive();
+  status_.holding = false;
   beginRamp(gate_.last(), neutral_, 0.0);
   enter(ExecutorMode::kStandingUp, {Reason::kArmRequested});
   return {};
 }
 
 Cause ExecutorCore::checkStart() const {
+  if (eStopIsSilent()) return judged(Reason::kEStopSilent);
   if (!closedLoop()) return {};
-  if (feedbackIsStale()) return judged(Reason::kNoFeedback);
+  const Cause problem = watch_.checkStart();
+  if (!problem.accepted()) return judged(problem.reason, problem.joint);
   if (options_.far_start == FarStart::kRamp) return {};
   for (std::size_t j = 0; j < neutral_.size(); ++j) {
-    const double off_rad = std::abs(measured_[j] - neutral_[j]);
-    if (off_rad > options_.start_tolerance_rad) {
+    const double off_rad = std::abs(watch_.measured()[j] - neutral_[j]);
+    if (off_rad > options_.start_tolerance_rad && !watch_.tolerates(j)) {
       return judged(Reason::kFarFromNeutral, static_cast<int>(j), off_rad);
     }
   }
@@ -109,6 +111,8 @@ Cause ExecutorCore::cancel(Reason why) {
 
 void ExecutorCore::stop(Reason why) {
   if (status_.mode == ExecutorMode::kStopped) return;
+  status_.holding =
+      options_.hold_on_stop && sendsCommands(status_.mode) && why != Reason::kShutDown;
   endBehavior({why});
   enter(ExecutorMode::kStopped, {why});
 }
@@ -118,15 +122,16 @@ void ExecutorCore::setEStop(bool pressed) {
   if (pressed) stop(Reason::kEStop);
 }
 
-void ExecutorCore::feedback(const std::vector<double>& measured_rad) {
-  std::copy_n(measured_rad.begin(), measured_.size(), measured_.begin());
-  status_.ticks_since_feedback = 0;
-  fresh_feedback_ = true;
+void ExecutorCore::overtaken(std::uint64_t commands) {
+  status_.commands -= commands;
+  status_.skipped += commands;
+  if (status_.mode == ExecutorMode::kWalking) skipped_ += static_cast<std::uint32_t>(commands);
 }
 
 const std::vector<double>* ExecutorCore::tick(std::int64_t slot) {
   if (slot <= last_slot_) return nullptr;
   passTime(slot);
+  if (status_.holding) return lastWord();
   if (!sendsCommands(status_.mode) || !robotFollows()) return nullptr;
   if (begins_) begin_slot_ = slot;
   begins_ = false;
@@ -146,10 +151,10 @@ const std::vector<double>* ExecutorCore::tick(std::int64_t slot) {
 
 void ExecutorCore::passTime(std::int64_t slot) {
   if (last_slot_ != kNoSlot && sendsCommands(status_.mode)) countSkipped(slot);
+  if (slot != last_slot_ + 1) gate_.rest();
   last_slot_ = slot;
-  // Feedback ages by ticks, not by slots: after a stall of the whole process it is as old as
-  // before.
-  if (status_.ticks_since_feedback >= 0) ++status_.ticks_since_feedback;
+  watch_.passTick();
+  if (ticks_since_heartbeat_ >= 0) ++ticks_since_heartbeat_;
 }
 
 void ExecutorCore::countSkipped(std::int64_t slot) {
@@ -161,34 +166,32 @@ void ExecutorCore::countSkipped(std::int64_t slot) {
   skipped_ += static_cast<std::uint32_t>(end - begin);
 }
 
-bool ExecutorCore::feedbackIsStale() const {
-  // Feedback that came since the tick before counts as new.
-  const double silent_s = static_cast<double>(status_.ticks_since_feedback - 1) * period_s_;
-  return status_.ticks_since_feedback < 0 || silent_s > options_.feedback_timeout_s;
+bool ExecutorCore::eStopIsSilent() const {
+  if (options_.e_stop_timeout_s <= 0.0) return false;
+  const double silent_s = static_cast<double>(ticks_since_heartbeat_ - 1) * period_s_;
+  return ticks_since_heartbeat_ < 0 || silent_s > options_.e_stop_timeout_s;
 }
 
+// False when the robot is none to walk with: a stop or a fault by now.
 bool ExecutorCore::robotFollows() {
+  if (eStopIsSilent()) {
+    stop(Reason::kEStopSilent);
+    return false;
+  }
   if (!closedLoop()) return true;
-  Cause problem = fresh_feedback_ ? checkTracking() : Cause();
-  fresh_feedback_ = false;
-  if (feedbackIsStale()) problem = {Reason::kFeedbackLost};
+  const Cause problem = watch_.check(gate_.last());
   if (problem.accepted()) return true;
   endBehavior(problem);
   enter(ExecutorMode::kFault, problem);
   return false;
 }
 
-Cause ExecutorCore::checkTracking() {
-  Cause problem;
-  if (options_.max_tracking_error_rad <= 0.0) return problem;
-  for (std::size_t j = 0; j < neutral_.size(); ++j) {
-    const double off_rad = std::abs(measured_[j] - gate_.last()[j]);
-    const bool off = off_rad > options_.max_tracking_error_rad;
-    ticks_off_[j] = std::max<std::int64_t>(0, ticks_off_[j] + (off ? 1 : -1));
-    if (static_cast<double>(ticks_off_[j]) * period_s_ <= options_.tracking_timeout_s) continue;
-    problem = judged(Reason::kNotFollowing, static_cast<int>(j), off_rad);
-  }
-  return problem;
+// What is sent once after a stop: stay where you are.
+const std::vector<double>* ExecutorCore::lastWord() {
+  status_.holding = false;
+  gate_.pass(closedLoop() ? watch_.measured() : gate_.last());
+  ++status_.commands;
+  return &gate_.last();
 }
 
 void ExecutorCore::finishMotion(std::int64_t index) {

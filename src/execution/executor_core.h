@@ -6,6 +6,7 @@
 #include "execution/command_gate.h"
 #include "execution/executor_options.h"
 #include "execution/executor_status.h"
+#include "execution/feedback_watch.h"
 #include "execution/ramp.h"
 #include "gait/behavior.h"
 #include "gait/behavior_options.h"
@@ -46,13 +47,21 @@ class ExecutorCore {
   Cause cancel(Reason why);
   /// @}
 
-  /// Nothing more is sent from this moment on until arm(), whatever the mode was.
+  /// Nothing more is sent from this moment on until arm(), whatever the mode was; but with
+  /// hold_on_stop the next tick yields one last command (status().holding).
   void stop(Reason why);
   /// Pressed stops; released does not re-arm, but while pressed arm() is refused.
   void setEStop(bool pressed);
+  /// The publisher of the emergency stop lives.
+  void heartbeat() { ticks_since_heartbeat_ = 0; }
 
-  /// Measured joint angles [rad] in joint order, finite, one per joint.
-  void feedback(const std::vector<double>& measured_rad);
+  void feedback(const JointReadings& readings) { watch_.add(readings); }
+  /// Joints that are believed dead, one flag per joint: nobody faults because they are not read or
+  /// do not follow. They are commanded as before.
+  void tolerate(const std::vector<char>& joints) { watch_.tolerate(joints); }
+
+  /// So many commands that tick() gave out were never sent: newer ones overtook them.
+  void overtaken(std::uint64_t commands);
 
   /// The command [rad] of this slot, in joint order, or nullptr when nothing is to be sent. Slots
   /// must grow; a slot that does not is answered with nullptr.
@@ -69,9 +78,9 @@ class ExecutorCore {
   void endBehavior(Cause cause);
   void passTime(std::int64_t slot);
   void countSkipped(std::int64_t slot);
-  bool feedbackIsStale() const;
+  bool eStopIsSilent() const;
   bool robotFollows();
-  Cause checkTracking();
+  const std::vector<double>* lastWord();
   void finishMotion(std::int64_t index);
   void chooseTarget(std::int64_t index);
   bool arrivedAt(const std::vector<double>& pose_rad) const;
@@ -83,10 +92,9 @@ class ExecutorCore {
   CommandGate gate_;
   Ramp ramp_;
   std::vector<double> target_;
-  std::vector<double> measured_;
-  std::vector<std::int64_t> ticks_off_;  // per joint: ticks off its command less those on it
-  bool fresh_feedback_ = false;
+  FeedbackWatch watch_;
   bool e_stop_ = false;
+  std::int64_t ticks_since_heartbeat_ = -1;  // -1: none yet
   const Behavior* behavior_ = nullptr;
   bool begins_ = false;  // the motion's first slot is the next tick
   std::int64_t begin_slot_ = 0;

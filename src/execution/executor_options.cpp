@@ -29,6 +29,18 @@ std::vector<Option> declareOptions(ExecutorOptions& options) {
              0.0, 60.0),
       option("sit_signal", options.sit_signal, "",
              "Second control signal (gamma of eq. 3) of every leg in the sitting pose.", -1.0, 1.0),
+      option("e_stop_timeout_s", options.e_stop_timeout_s, "s",
+             "Longest silence of e_stop: a publisher that falls silent stops the robot, and there "
+             "is no arming without one; 0: e_stop need not be published.",
+             0.0, 60.0),
+      option("hold_on_stop", options.hold_on_stop,
+             "After an emergency stop or ~stop send one last command, the measured pose (open "
+             "loop: the last command); false: nothing at all."),
+      option("max_acceleration_rad_per_s2", options.gate.max_acceleration_rad_per_s2, "rad/s^2",
+             "Acceleration limit of every joint's commands; gaits are smoothed by it. 0: off.", 0.0,
+             1e5),
+      option("soft_limit_margin_rad", options.gate.soft_limit_margin_rad, "rad",
+             "Distance that commands keep from the joints' position limits.", 0.0, 3.0),
   };
 }
 

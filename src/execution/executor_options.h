@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "common/options.h"
+#include "execution/command_gate.h"
 
 namespace hexapod {
 
@@ -22,7 +23,10 @@ struct ExecutorOptions {
   double hold_time_s = 0.2;                 ///< last command held when a behaviour is broken off
   double max_tracking_error_rad = 0.5;      ///< 0: not watched
   double tracking_timeout_s = 0.5;          ///< how long a joint may be further off
-  double sit_signal = 1.0;  ///< second control signal of the sitting pose, see sittingPose()
+  double sit_signal = 1.0;      ///< second control signal of the sitting pose, see sittingPose()
+  double e_stop_timeout_s = 0;  ///< longest silence of the emergency stop's publisher; 0: any
+  bool hold_on_stop = false;    ///< a stop sends one last command: stay where you are
+  GateOptions gate;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

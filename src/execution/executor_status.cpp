@@ -70,11 +70,21 @@ std::string sentence(const Cause& cause, const std::vector<std::string>& joint_n
       return "Stopped on request; call ~arm to stand up again.";
     case Reason::kEStop:
       return "Emergency stop; release it (e_stop false), then call ~arm.";
+    case Reason::kEStopSilent:
+      return "Nothing has come on e_stop within e_stop_timeout_s; start its publisher, then call "
+             "~arm.";
     case Reason::kShutDown:
       return "The executor shuts down.";
     case Reason::kFeedbackLost:
-      return "No valid joint_states within feedback_timeout_s; repair the feedback, then call "
-             "~arm.";
+      return "No valid joint_states of joint '" + jointName(cause, joint_names) +
+             "' within feedback_timeout_s; repair the feedback, then call ~arm.";
+    case Reason::kFeedbackFrozen:
+      return "The joint_states do not change although joint '" + jointName(cause, joint_names) +
+             "' and others are moved: the driver repeats itself or the servos have no power; "
+             "repair it, then call ~arm.";
+    case Reason::kTwoSources:
+      return "More than one node publishes joint_states of joint '" +
+             jointName(cause, joint_names) + "'; stop one of them, then call ~arm.";
     case Reason::kNotFollowing:
       return "Joint '" + jointName(cause, joint_names) + "' is " + numberText(cause.value_rad, 3) +
              " rad away from its command and does not follow; free or repair it, then call ~arm.";
@@ -82,8 +92,9 @@ std::string sentence(const Cause& cause, const std::vector<std::string>& joint_n
       return "A command was not finite or had the wrong length and was not sent; this behaviour "
              "must not be played.";
     case Reason::kNoFeedback:
-      return "No valid joint_states yet, so the pose of the robot is unknown; start its driver, or "
-             "set feedback_timeout_s to 0 for open loop.";
+      return "No valid joint_states of joint '" + jointName(cause, joint_names) +
+             "', so the pose of the robot is unknown; start its driver, or set feedback_timeout_s "
+             "to 0 for open loop.";
     case Reason::kFarFromNeutral:
       return "Joint '" + jointName(cause, joint_names) + "' is " + numberText(cause.value_rad, 3) +
              " rad away from its neutral angle, more than start_tolerance_rad; bring the robot "

@@ -40,8 +40,11 @@ enum class Reason : std::uint8_t {
   kSittingDown,
   kStopRequested,
   kEStop,
+  kEStopSilent,
   kShutDown,
-  kFeedbackLost,
+  kFeedbackLost,    ///< joint: the first that is not read
+  kFeedbackFrozen,  ///< joint: one whose commands moved though no reading changed
+  kTwoSources,      ///< joint: reported by two nodes
   kNotFollowing,    ///< joint, value: tracking error [rad]
   kCommandRefused,  ///< the gate refused a command: not finite or of the wrong length
   kNoFeedback,
@@ -84,10 +87,10 @@ struct ExecutorStatus {
   std::int64_t first_slot = 0;  ///< command period of the behaviour's first command
   std::int64_t played = 0;      ///< command periods since the behaviour began
   BehaviorEnd last_end;
-  std::uint64_t commands = 0;              ///< sent since the start
-  std::uint64_t skipped = 0;               ///< left out because the loop was late
-  std::uint64_t clamped = 0;               ///< held back by the gate
-  std::int64_t ticks_since_feedback = -1;  ///< -1: no joint states yet
+  bool holding = false;        ///< stopped, and one last command is still to be sent
+  std::uint64_t commands = 0;  ///< sent since the start
+  std::uint64_t skipped = 0;   ///< left out because the loop or the sending thread was late
+  std::uint64_t clamped = 0;   ///< held back by the gate
 };
 
 }  // namespace hexapod

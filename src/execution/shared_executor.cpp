@@ -13,7 +13,10 @@ constexpr std::chrono::milliseconds kPoll{1};
 
 SharedExecutor::SharedExecutor(const RobotDescription& robot, const BehaviorOptions& behavior,
                                const ExecutorOptions& options)
-    : core_(robot, behavior, options), feedback_(robot.neutralPose()), status_(core_.status()) {}
+    : core_(robot, behavior, options),
+      mailbox_(robot.jointCount()),
+      feedback_(JointReadings(robot.jointCount())),
+      status_(core_.status()) {}
 
 void SharedExecutor::stop(Reason why) {
   stop_reason_ = why;
@@ -22,14 +25,38 @@ void SharedExecutor::stop(Reason why) {
   while (sending_) std::this_thread::yield();
 }
 
+Cause SharedExecutor::disarm() {
+  const Cause cause = ask({Request::kDisarm});
+  while (sending_) std::this_thread::yield();
+  return cause;
+}
+
+Cause SharedExecutor::tolerate(const std::vector<std::size_t>& joints) {
+  std::vector<char> flags(feedback_.value().counts.size(), 0);
+  for (const std::size_t joint : joints) flags.at(joint) = 1;
+  Request request{Request::kTolerate};
+  request.tolerated = &flags;
+  const Cause cause = ask(request);
+  if (!cause.accepted()) return cause;
+  const std::lock_guard<std::mutex> lock(tolerated_mutex_);
+  tolerated_ = joints;
+  return cause;
+}
+
+std::vector<std::size_t> SharedExecutor::toleratedJoints() const {
+  const std::lock_guard<std::mutex> lock(tolerated_mutex_);
+  return tolerated_;
+}
+
 void SharedExecutor::setEStop(bool pressed) {
   e_stop_ = pressed;
+  ++beats_;
   if (pressed) stop(Reason::kEStop);
 }
 
-void SharedExecutor::feedback(const std::vector<double>& measured_rad) {
+void SharedExecutor::feedback(const JointReadings& readings) {
   const std::lock_guard<std::mutex> lock(feedback_mutex_);
-  feedback_.write(measured_rad);
+  feedback_.write(readings);
 }
 
 ExecutorStatus SharedExecutor::status() {
@@ -62,10 +89,16 @@ void SharedExecutor::serve() {
   if (stops != stops_seen_) core_.stop(stop_reason_);
   stops_seen_ = stops;
   core_.setEStop(e_stop_);
+  const std::uint64_t beats = beats_;
+  if (beats != beats_seen_) core_.heartbeat();
+  beats_seen_ = beats;
+  const std::uint64_t overtaken = overtaken_.exchange(0);
+  if (overtaken > 0) core_.overtaken(overtaken);
   if (feedback_.update()) core_.feedback(feedback_.value());
   Desk posted = Desk::kPosted;
   if (desk_.compare_exchange_strong(posted, Desk::kTaken)) {
     answer_ = carryOut(request_);
+    noteSilence();
     status_.write(core_.status());
     desk_ = Desk::kAnswered;
     return;
@@ -88,19 +121,42 @@ Cause SharedExecutor::carryOut(const Request& request) {
       return core_.start(*request.behavior, request.entry_id);
     case Request::kCancel:
       return core_.cancel(request.why);
+    case Request::kTolerate:
+      core_.tolerate(*request.tolerated);
+      return {};
   }
   return {Reason::kNoAnswer};
 }
 
-void SharedExecutor::tick(std::int64_t slot, const Send& send) {
+// What the sending thread has not sent when the core falls silent is not to be sent any more.
+void SharedExecutor::noteSilence() {
+  const bool sends = sendsCommands(core_.status().mode);
+  if (sends_ && !sends) ++silences_;
+  sends_ = sends;
+}
+
+void SharedExecutor::tick(std::int64_t slot, std::int64_t stamp_ns) {
   serve();
+  const bool last_word = core_.status().holding;
   const std::vector<double>* command = core_.tick(slot);
+  noteSilence();
   if (command != nullptr) {
-    sending_ = true;
-    if (stops_ == stops_seen_) send(*command);
-    sending_ = false;
+    mailbox_.post({slot, stamp_ns, stops_seen_, silences_, last_word, {}}, *command);
   }
   status_.write(core_.status());
+}
+
+bool SharedExecutor::sendNext(const Send& send) {
+  if (!mailbox_.wait()) return false;
+  std::uint64_t overtaken = 0;
+  const OutgoingCommand* command = mailbox_.take(overtaken);
+  overtaken_ += overtaken;
+  if (command == nullptr) return true;
+  sending_ = true;
+  const bool valid = command->stops == stops_ && command->silences == silences_;
+  if (valid || command->last_word) send(*command);
+  sending_ = false;
+  return true;
 }
 
 }  // namespace hexapod

@@ -34,7 +34,7 @@ std::size_t commandsIn(const std::string& name, double duration_s, double period
 
 }  // namespace
 
-std::vector<Option> declareOptions(BehaviorOptions& options) {
+std::vector<Option> declareTimingOptions(BehaviorOptions& options) {
   return {
       option("gait_duration_s", options.gait_duration_s, "s",
              "How long the gait of a behaviour is played; a multiple of command_period_s.",
@@ -53,10 +53,16 @@ std::vector<Option> declareOptions(BehaviorOptions& options) {
              "When the end pose is read: at rest after the return to the neutral pose, or right "
              "after the gait as in the paper.",
              {EndPose::kAtRest, EndPose::kAfterGait}),
+  };
+}
+
+std::vector<Option> declareOptions(BehaviorOptions& options) {
+  std::vector<Option> all = declareTimingOptions(options);
+  all.push_back(
       option("limit_velocity", options.limit_velocity,
              "Keep the commands within the joints' velocity limits; false sends the paper's eq. 3 "
-             "as it is."),
-  };
+             "as it is."));
+  return all;
 }
 
 BehaviorParts behaviorParts(const BehaviorOptions& options) {

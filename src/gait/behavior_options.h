@@ -41,6 +41,9 @@ struct BehaviorParts {
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(BehaviorOptions& options);
 
+/// Those of them that say how long and how often; the others are the learner's alone.
+std::vector<Option> declareTimingOptions(BehaviorOptions& options);
+
 /// The parts the options ask for. Throws std::invalid_argument with a sentence naming the option,
 /// its value and what is allowed: not finite or out of range, no multiple of the command period, an
 /// unknown end_pose, an end at rest without any time to get there.

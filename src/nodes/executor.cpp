@@ -1,10 +1,9 @@
 // Plays behaviours on the robot, one joint command every period.
 #include <ros/ros.h>
-#include <sys/mman.h>
-#include <unistd.h>
 
 #include "ros_interface/common/node_process.h"
 #include "ros_interface/common/params.h"
+#include "ros_interface/common/realtime.h"
 #include "ros_interface/common/robot_param.h"
 #include "ros_interface/executor/executor_node.h"
 
@@ -20,8 +19,8 @@ int execute() {
   ExecutorNodeOptions options;
   loadParams(private_node, declareOptions(options));
   ExecutorNode executor(node, private_node, options, robotFromParams(node, options.robot_config));
-  // Page faults would make the command loop late; only root may lock all it will ever map.
-  if (geteuid() == 0) mlockall(MCL_CURRENT | MCL_FUTURE);
+  const std::string problem = options.realtime ? lockMemory() : "";
+  if (!problem.empty()) ROS_WARN_STREAM(problem);
   const ExecutorNode::End end = executor.run(leaveFlag());
   if (end == ExecutorNode::End::kAskedToLeave) return 0;
   ROS_FATAL("The ROS master is gone or was replaced; the executor leaves and must be restarted.");

@@ -31,13 +31,13 @@ TEST(SharedExecutor, ATickAllocatesNothing) {
   const Behavior behavior(shippedRobot(), randomGenome(random), BehaviorOptions());
   ExecutorCore core(shippedRobot(), BehaviorOptions(), ExecutorOptions());
   const std::vector<double> measured = shippedRobot().neutralPose();
-  const SharedExecutor::Send send = [](const std::vector<double>&) {};
+  WholeRobotDriver driver;
   std::int64_t slot = 0;
   const long before = allocations;
   for (int i = 0; i < 300; ++i) {
-    executor.feedback(measured);
-    executor.tick(slot, send);
-    core.feedback(measured);
+    executor.feedback(driver.read(measured));
+    executor.tick(slot, 0);
+    core.feedback(driver.read(measured));
     if (i == 0) core.arm();
     if (i == 100) core.start(behavior, 1);
     if (i == 150) core.cancel(Reason::kCancelled);

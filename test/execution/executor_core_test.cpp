@@ -26,7 +26,7 @@ class ExecutorCoreTest : public testing::Test {
 
   // One command period with feedback; the command or an empty vector.
   std::vector<double> step(std::int64_t periods = 1) {
-    if (!silent_) core_->feedback(measured_);
+    if (!silent_) core_->feedback(driver_.read(measured_));
     slot_ += periods;
     const std::vector<double>* command = core_->tick(slot_);
     if (command == nullptr) return {};
@@ -58,6 +58,7 @@ class ExecutorCoreTest : public testing::Test {
   std::unique_ptr<Behavior> behavior_;
   std::unique_ptr<ExecutorCore> core_;
   std::vector<double> measured_;
+  WholeRobotDriver driver_;
   std::int64_t slot_ = 0;
   bool silent_ = false;
   bool blocked_ = false;
@@ -316,6 +317,155 @@ TEST_F(ExecutorCoreTest, RefusesABehaviorOfAnotherRobot) {
   const Behavior behavior(smaller, Genome(16, 0), BehaviorOptions());
   makeReady();
   EXPECT_EQ(core_->start(behavior, 1).reason, Reason::kBadBehavior);
+}
+
+TEST_F(ExecutorCoreTest, AStopMaySayALastWordThatHoldsTheRobotWhereItIs) {
+  ExecutorOptions options;
+  options.hold_on_stop = true;
+  make(options);
+  startWalking(30);
+  const std::vector<double> last = measured_;
+  for (double& angle : measured_) angle += 0.05;
+  core_->feedback(driver_.read(measured_));
+  core_->stop(Reason::kEStop);
+  const std::vector<double> held = step();
+  EXPECT_NE(held, last);
+  EXPECT_EQ(held, measured_) << "where the robot is, not where it was told to be";
+  for (int i = 0; i < 100; ++i) EXPECT_TRUE(step().empty()) << "once";
+  core_->stop(Reason::kStopRequested);
+  EXPECT_TRUE(step().empty()) << "a robot that was not commanded is not held";
+}
+
+TEST_F(ExecutorCoreTest, AnEmergencyStopThatFallsSilentStops) {
+  ExecutorOptions options;
+  options.e_stop_timeout_s = 0.3;
+  make(options);
+  step();
+  EXPECT_EQ(core_->arm().reason, Reason::kEStopSilent) << "nobody has published e_stop yet";
+  core_->heartbeat();
+  ASSERT_TRUE(core_->arm().accepted());
+  for (int i = 0; i < 100; ++i) {
+    core_->heartbeat();
+    EXPECT_FALSE(step().empty());
+  }
+  int sent = 0;
+  while (!step().empty() && sent < 100) ++sent;
+  EXPECT_NEAR(sent, 10, 1) << "0.3 s of 0.03 s each";
+  EXPECT_EQ(mode(), ExecutorMode::kStopped);
+  EXPECT_EQ(core_->status().cause.reason, Reason::kEStopSilent);
+}
+
+TEST_F(ExecutorCoreTest, EachJointsReadingsAgeByThemselves) {
+  startWalking(5);
+  JointReadings readings = driver_.read(measured_);
+  silent_ = true;
+  // All joints but one are read on; that one grows too old.
+  int sent = 0;
+  for (; sent < 100; ++sent) {
+    readings.angles_rad = measured_;
+    for (std::size_t j = 0; j < readings.counts.size(); ++j) readings.counts[j] += j == 4 ? 0 : 1;
+    core_->feedback(readings);
+    if (step().empty()) break;
+  }
+  EXPECT_NEAR(sent, 17, 1);
+  EXPECT_EQ(core_->status().cause.reason, Reason::kFeedbackLost);
+  EXPECT_EQ(core_->status().cause.joint, 4);
+}
+
+TEST_F(ExecutorCoreTest, WalksWithLegsThatAreReadInTurnAndRarely) {
+  makeReady();
+  ASSERT_TRUE(core_->start(*behavior_, 1).accepted());
+  JointReadings readings = driver_.read(measured_);
+  silent_ = true;
+  // 20 Hz per leg, each leg at another time, against commands at 33 Hz.
+  for (int tick = 0; mode() == ExecutorMode::kWalking && tick < 200; ++tick) {
+    for (std::size_t j = 0; j < readings.counts.size(); ++j) {
+      if ((tick * 3 + static_cast<int>(j / 3)) % 5 >= 3) continue;
+      readings.angles_rad[j] = measured_[j];
+      ++readings.counts[j];
+    }
+    core_->feedback(readings);
+    step();
+  }
+  EXPECT_EQ(mode(), ExecutorMode::kReady)
+      << sentence(core_->status().cause, shippedRobot().jointNames());
+  EXPECT_EQ(endReason(), Reason::kFinished);
+}
+
+TEST_F(ExecutorCoreTest, NoticesFeedbackThatRepeatsItselfWhileCommandsMove) {
+  ExecutorOptions options;
+  options.max_tracking_error_rad = 0.0;
+  make(options);
+  makeReady();
+  for (int i = 0; i < 200; ++i)
+    ASSERT_FALSE(step().empty()) << "standing still is no frozen feedback";
+  ASSERT_TRUE(core_->start(*behavior_, 1).accepted());
+  blocked_ = true;
+  while (mode() == ExecutorMode::kWalking) step();
+  EXPECT_EQ(mode(), ExecutorMode::kFault);
+  EXPECT_EQ(core_->status().cause.reason, Reason::kFeedbackFrozen);
+}
+
+TEST_F(ExecutorCoreTest, ManyServosThatDoNotMoveAtAllAreAFrozenDriver) {
+  startWalking(1);
+  blocked_ = true;
+  while (mode() == ExecutorMode::kWalking) step();
+  EXPECT_EQ(core_->status().cause.reason, Reason::kFeedbackFrozen);
+}
+
+TEST_F(ExecutorCoreTest, IsNotArmedWhileTwoNodesReportAJoint) {
+  JointReadings readings = driver_.read(measured_);
+  readings.contested_joint = 3;
+  core_->feedback(readings);
+  const Cause cause = core_->arm();
+  EXPECT_EQ(cause.reason, Reason::kTwoSources);
+  EXPECT_NE(sentence(cause, shippedRobot().jointNames()).find("'body_leg_1'"), std::string::npos);
+  step();
+  EXPECT_TRUE(core_->arm().accepted());
+}
+
+TEST_F(ExecutorCoreTest, AJointBelievedDeadNeedNeitherFollowNorBeRead) {
+  std::vector<char> dead(neutral_.size(), 0);
+  dead[0] = dead[1] = 1;
+  core_->tolerate(dead);
+  JointReadings readings = driver_.read(measured_);
+  readings.counts[0] = 0;
+  core_->feedback(readings);
+  silent_ = true;
+  ASSERT_TRUE(core_->arm().accepted());
+  const auto play = [&] {
+    while (mode() == ExecutorMode::kStandingUp || mode() == ExecutorMode::kWalking) {
+      step();
+      readings.angles_rad = measured_;
+      readings.angles_rad[1] = -1.5;
+      for (std::size_t j = 1; j < readings.counts.size(); ++j) ++readings.counts[j];
+      core_->feedback(readings);
+    }
+  };
+  play();
+  ASSERT_EQ(mode(), ExecutorMode::kReady);
+  ASSERT_TRUE(core_->start(*behavior_, 1).accepted());
+  play();
+  EXPECT_EQ(mode(), ExecutorMode::kReady);
+  dead[1] = 0;
+  core_->tolerate(dead);
+  for (int i = 0; i < 100 && mode() == ExecutorMode::kReady; ++i) {
+    step();
+    for (std::size_t j = 1; j < readings.counts.size(); ++j) ++readings.counts[j];
+    core_->feedback(readings);
+  }
+  EXPECT_EQ(core_->status().cause.reason, Reason::kNotFollowing) << "tolerated no longer";
+  EXPECT_EQ(core_->status().cause.joint, 1);
+}
+
+TEST_F(ExecutorCoreTest, CommandsThatWereOvertakenCountAsSkipped) {
+  startWalking(10);
+  const std::uint64_t commands = core_->status().commands;
+  core_->overtaken(2);
+  EXPECT_EQ(core_->status().commands, commands - 2);
+  stepUntil(ExecutorMode::kReady);
+  EXPECT_EQ(core_->status().last_end.skipped, 2u);
+  EXPECT_EQ(core_->status().skipped, 2u);
 }
 
 TEST(ExecutorStatus, EveryReasonIsASentence) {

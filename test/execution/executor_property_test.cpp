@@ -74,7 +74,7 @@ class RandomSession {
   }
 
   void feedback() {
-    core_.feedback(measured_);
+    core_.feedback(driver_.read(measured_));
     fed_ = measured_;
   }
 
@@ -122,6 +122,7 @@ class RandomSession {
   BehaviorOptions behavior_;
   ExecutorCore core_;
   std::vector<Behavior> behaviors_;
+  WholeRobotDriver driver_;
   std::vector<double> measured_ = robot_.neutralPose();
   std::vector<double> fed_ = measured_;
   std::vector<double> last_ = measured_;

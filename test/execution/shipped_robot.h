@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "common/random.h"
+#include "execution/joint_readings.h"
 #include "gait/genome.h"
 #include "robot/load_robot.h"
 
@@ -20,6 +21,19 @@ inline Genome randomGenome(Random& random) {
   for (auto& gene : genome) gene = static_cast<std::uint8_t>(random.below(kGeneLevels));
   return genome;
 }
+
+/// A driver that reads all joints at once.
+class WholeRobotDriver {
+ public:
+  const JointReadings& read(const std::vector<double>& angles_rad) {
+    readings_.angles_rad = angles_rad;
+    for (std::uint64_t& count : readings_.counts) ++count;
+    return readings_;
+  }
+
+ private:
+  JointReadings readings_{shippedRobot().jointCount()};
+};
 
 /// Largest difference of any joint [rad].
 inline double largestStep(const std::vector<double>& a, const std::vector<double>& b) {

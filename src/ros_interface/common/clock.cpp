@@ -26,6 +26,10 @@ bool SystemClock::waitUntil(std::int64_t deadline_ns, const std::function<bool()
   return true;
 }
 
+void SystemClock::sleepUntil(std::int64_t deadline_ns) const { sleepUntilSteady(deadline_ns); }
+
+bool SystemClock::isSimulated() const { return ros::Time::isSimTime(); }
+
 std::int64_t secondsToNs(double seconds) {
   return static_cast<std::int64_t>(std::llround(seconds * static_cast<double>(kSecond_ns)));
 }

@@ -25,6 +25,14 @@ class Clock {
   /// Waits until `done` is true (asked every few milliseconds) or steady time has come to
   /// `deadline_ns`. Returns what `done` said last.
   virtual bool waitUntil(std::int64_t deadline_ns, const std::function<bool()>& done) const = 0;
+
+  /// Sleeps until steady time has come to `deadline_ns`, to the precision of the system.
+  virtual void sleepUntil(std::int64_t deadline_ns) const {
+    waitUntil(deadline_ns, [] { return false; });
+  }
+
+  /// True when ROS time is simulated.
+  virtual bool isSimulated() const { return false; }
 };
 
 /// CLOCK_MONOTONIC and ros::Time.
@@ -33,6 +41,8 @@ class SystemClock : public Clock {
   std::int64_t steadyNow_ns() const override;
   ros::Time rosNow() const override;
   bool waitUntil(std::int64_t deadline_ns, const std::function<bool()>& done) const override;
+  void sleepUntil(std::int64_t deadline_ns) const override;
+  bool isSimulated() const override;
 };
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;

@@ -1,46 +1,24 @@
 #include "ros_interface/common/realtime_loop.h"
 
-#include <pthread.h>
-#include <sched.h>
-
 #include <algorithm>
 #include <cstdlib>
+
+#include "ros_interface/common/realtime.h"
 
 namespace hexapod {
 namespace {
 
-// Above the kernel's ordinary threads, below its interrupt threads (50).
-constexpr int kFifoPriority = 40;
 // A wall clock is taken for set, not slewed, beyond this.
 constexpr std::int64_t kClockSet_ns = 20'000'000;
 constexpr std::int64_t kClockPoll_ns = 300'000;
 
-bool askForRealtimePriority() {
-  sched_param parameters{};
-  parameters.sched_priority = kFifoPriority;
-  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters) == 0;
-}
-
-// ROS wall time at the steady time 0 [ns]. The reading with the shortest gap between two looks at
-// the steady clock is the one nobody interrupted.
-std::int64_t wallFromSteady_ns() {
-  std::int64_t best_gap_ns = kSecond_ns;
-  std::int64_t best_ns = 0;
-  for (int i = 0; i < 3; ++i) {
-    const std::int64_t before_ns = steadyNow_ns();
-    const ros::WallTime wall = ros::WallTime::now();
-    const std::int64_t gap_ns = steadyNow_ns() - before_ns;
-    if (gap_ns >= best_gap_ns) continue;
-    best_gap_ns = gap_ns;
-    best_ns = static_cast<std::int64_t>(wall.toNSec()) - before_ns - gap_ns / 2;
-  }
-  return best_ns;
-}
-
 }  // namespace
 
-RealtimeLoop::RealtimeLoop(std::int64_t period_ns, Callbacks callbacks)
-    : period_ns_(period_ns), callbacks_(std::move(callbacks)) {}
+RealtimeLoop::RealtimeLoop(const Options& options, const Clock& clock, Callbacks callbacks)
+    : options_(options),
+      period_ns_(options.period_ns),
+      clock_(clock),
+      callbacks_(std::move(callbacks)) {}
 
 RealtimeLoop::~RealtimeLoop() { stop(); }
 
@@ -71,17 +49,33 @@ LoopTiming RealtimeLoop::timing() const {
 }
 
 void RealtimeLoop::run() {
-  realtime_priority_ = askForRealtimePriority();
-  ros::Time::isSimTime() ? runSimulated() : runSteady();
+  if (options_.realtime) realtime_refusal_ = askForRealtimePriority(RealtimePriority::kLoop);
+  clock_.isSimulated() ? runSimulated() : runSteady();
+}
+
+// ROS time at the steady time 0 [ns]. The reading with the shortest gap between two looks at the
+// steady clock is the one nobody interrupted.
+std::int64_t RealtimeLoop::wallFromSteady_ns() const {
+  std::int64_t best_gap_ns = kSecond_ns;
+  std::int64_t best_ns = 0;
+  for (int i = 0; i < 3; ++i) {
+    const std::int64_t before_ns = clock_.steadyNow_ns();
+    const std::int64_t wall_ns = toNs(clock_.rosNow());
+    const std::int64_t gap_ns = clock_.steadyNow_ns() - before_ns;
+    if (gap_ns >= best_gap_ns) continue;
+    best_gap_ns = gap_ns;
+    best_ns = wall_ns - before_ns - gap_ns / 2;
+  }
+  return best_ns;
 }
 
 void RealtimeLoop::runSteady() {
-  const std::int64_t start_ns = steadyNow_ns();
+  const std::int64_t start_ns = clock_.steadyNow_ns();
   std::int64_t wall_offset_ns = wallFromSteady_ns();
   first_stamp_ns_ = start_ns + wall_offset_ns;
   for (std::int64_t slot = 0; running_; ++slot) {
-    sleepUntilSteady(start_ns + slot * period_ns_);
-    const std::int64_t elapsed_ns = steadyNow_ns() - start_ns;
+    clock_.sleepUntil(start_ns + slot * period_ns_);
+    const std::int64_t elapsed_ns = clock_.steadyNow_ns() - start_ns;
     const std::int64_t late_ns = elapsed_ns - slot * period_ns_;
     slot = std::max(slot, elapsed_ns / period_ns_);
     const std::int64_t offset_ns = wallFromSteady_ns();
@@ -95,11 +89,11 @@ void RealtimeLoop::runSteady() {
 
 void RealtimeLoop::runSimulated() {
   waitForClock();
-  std::int64_t before_ns = toNs(ros::Time::now());
+  std::int64_t before_ns = toNs(clock_.rosNow());
   first_stamp_ns_ = before_ns;
   std::int64_t slot = 0;
   while (running_) {
-    const std::int64_t now_ns = toNs(ros::Time::now());
+    const std::int64_t now_ns = toNs(clock_.rosNow());
     if (now_ns < before_ns) {
       // The numbers go on, their stamps follow the new time.
       first_stamp_ns_ = now_ns - slot * period_ns_;
@@ -109,7 +103,7 @@ void RealtimeLoop::runSimulated() {
     const std::int64_t elapsed_ns = now_ns - first_stamp_ns_;
     if (elapsed_ns < slot * period_ns_) {
       callbacks_.idle();
-      sleepUntilSteady(steadyNow_ns() + kClockPoll_ns);
+      clock_.sleepUntil(clock_.steadyNow_ns() + kClockPoll_ns);
       continue;
     }
     const std::int64_t late_ns = elapsed_ns - slot * period_ns_;
@@ -121,9 +115,9 @@ void RealtimeLoop::runSimulated() {
 
 void RealtimeLoop::waitForClock() {
   waits_for_clock_ = true;
-  while (running_ && ros::Time::now().isZero()) {
+  while (running_ && clock_.rosNow().isZero()) {
     callbacks_.idle();
-    sleepUntilSteady(steadyNow_ns() + kClockPoll_ns);
+    clock_.sleepUntil(clock_.steadyNow_ns() + kClockPoll_ns);
   }
   waits_for_clock_ = false;
 }

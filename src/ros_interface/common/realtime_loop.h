@@ -23,8 +23,7 @@ struct LoopTiming {
 /// Deadlines are those of CLOCK_MONOTONIC, so that neither jitter accumulates nor a change of the
 /// wall clock matters; with /use_sim_time they follow ROS time instead. A loop that is more than a
 /// period late skips, it never catches up with a burst. The stamp of a deadline is on the ROS time
-/// axis and its neighbours' are one period apart to the nanosecond. The thread asks for SCHED_FIFO
-/// and goes on without.
+/// axis and its neighbours' are one period apart to the nanosecond.
 class RealtimeLoop {
  public:
   struct Callbacks {
@@ -37,7 +36,13 @@ class RealtimeLoop {
     std::function<bool()> may_move_stamps;
   };
 
-  RealtimeLoop(std::int64_t period_ns, Callbacks callbacks);
+  struct Options {
+    std::int64_t period_ns = 0;
+    bool realtime = true;  ///< ask for a real-time priority, and go on without
+  };
+
+  /// `clock` must outlive it.
+  RealtimeLoop(const Options& options, const Clock& clock, Callbacks callbacks);
   /// Stops.
   ~RealtimeLoop();
   RealtimeLoop(const RealtimeLoop&) = delete;
@@ -55,7 +60,8 @@ class RealtimeLoop {
   bool waitsForClock() const { return waits_for_clock_; }
   /// True once after each time ROS time jumped back.
   bool takeTimeJump() { return time_jumped_.exchange(false); }
-  bool hasRealtimePriority() const { return realtime_priority_; }
+  /// 0: the loop has a real-time priority; else the errno of the refusal, -1 when not asked (yet).
+  int realtimeRefusal() const { return realtime_refusal_; }
   /// @}
 
  private:
@@ -63,9 +69,12 @@ class RealtimeLoop {
   void runSteady();
   void runSimulated();
   void waitForClock();
+  std::int64_t wallFromSteady_ns() const;
   void tick(std::int64_t slot, std::int64_t late_ns);
 
+  Options options_;
   std::int64_t period_ns_;
+  const Clock& clock_;
   Callbacks callbacks_;
   std::thread thread_;
   std::atomic<bool> running_{false};
@@ -73,7 +82,7 @@ class RealtimeLoop {
   std::int64_t last_slot_ = -1;
   std::atomic<bool> waits_for_clock_{false};
   std::atomic<bool> time_jumped_{false};
-  std::atomic<bool> realtime_priority_{false};
+  std::atomic<int> realtime_refusal_{-1};
   std::atomic<std::uint64_t> ticks_{0};
   std::atomic<std::uint64_t> skipped_{0};
   std::atomic<std::int64_t> largest_late_ns_{0};

@@ -14,8 +14,8 @@
 namespace hexapod {
 namespace {
 
-// Enough for a consumer that pauses for a third of a second.
-constexpr std::uint32_t kQueueSize = 10;
+// Only the newest command counts: after a stop no old one is to reach a consumer that is slow.
+constexpr std::uint32_t kQueueSize = 1;
 // A trajectory point must lie ahead, or controllers drop it; in one period the next one comes.
 constexpr double kTrajectoryHorizonPeriods = 1.5;
 

@@ -19,7 +19,7 @@ class CommandSender {
   virtual ~CommandSender() = default;
 
   /// Joint angles [rad] in joint order as the robot description counts them; `stamp` is the nominal
-  /// time of the command. Called from the command loop only.
+  /// time of the command. Called from the sending thread only.
   virtual void send(const ros::Time& stamp, const std::vector<double>& angles_rad) = 0;
 
   /// The topics it publishes on; empty for the interface none.

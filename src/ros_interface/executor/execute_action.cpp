@@ -5,6 +5,7 @@
 #include <exception>
 
 #include "ros_interface/common/names.h"
+#include "ros_interface/executor/behavior_result.h"
 
 namespace hexapod {
 namespace {
@@ -12,22 +13,6 @@ namespace {
 constexpr double kFeedbackPeriod_s = 0.2;
 
 using Result = hexapod_repertoire::ExecuteBehaviorResult;
-
-std::uint8_t codeOf(const BehaviorEnd& end) {
-  switch (end.cause.reason) {
-    case Reason::kFinished:
-      return end.skipped > 0 ? Result::SKIPPED : Result::SUCCEEDED;
-    case Reason::kCancelled:
-      return Result::PREEMPTED;
-    case Reason::kStopRequested:
-    case Reason::kEStop:
-    case Reason::kDisarmRequested:
-    case Reason::kShutDown:
-      return Result::STOPPED;
-    default:
-      return Result::FAULT;
-  }
-}
 
 }  // namespace
 
@@ -58,6 +43,11 @@ void ExecuteAction::onRepertoire(const hexapod_repertoire::Repertoire::ConstPtr&
 }
 
 void ExecuteAction::onGoal(Goal goal) {
+  // A burst of goals while one is played costs the command loop nothing.
+  const ExecutorMode mode = executor_.status().mode;
+  if (mode != ExecutorMode::kReady) {
+    return reject(goal, Result::NOT_READY, sentence({Reason::kNotReady, mode}, joint_names_));
+  }
   std::string problem;
   std::shared_ptr<const Behavior> behavior;
   try {
@@ -105,15 +95,7 @@ void ExecuteAction::poll(const ExecutorStatus& status) {
 }
 
 void ExecuteAction::finish(const BehaviorEnd& end) {
-  Result result;
-  result.code = codeOf(end);
-  result.message = sentence(end.cause, joint_names_);
-  result.skipped = end.skipped;
-  if (result.code == Result::SKIPPED) {
-    result.message += " " + std::to_string(end.skipped) + " of its " +
-                      std::to_string(behavior_->commandCount()) +
-                      " commands were skipped because the executor was late.";
-  }
+  Result result = behaviorResult(end, behavior_->commandCount(), joint_names_);
   result.finished = loop_.stamp(end.last_slot);
   playing_ = false;
   behavior_.reset();

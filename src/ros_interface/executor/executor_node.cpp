@@ -44,22 +44,30 @@ std::vector<std::string> topicsOf(const CommandSender& sender) {
   return topics;
 }
 
+// Once in a session: roslaunch sets the parameter when it begins, not when it starts a node again.
+bool takeAutoArm(const ros::NodeHandle& private_node, bool auto_arm) {
+  if (auto_arm) private_node.setParam("auto_arm", false);
+  return auto_arm;
+}
+
 }  // namespace
 
 ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private_node,
                            const ExecutorNodeOptions& options, const RobotDescription& robot)
     : robot_(robot),
       map_(readJointMap(options.joint_map, robot_)),
-      auto_arm_(options.auto_arm),
+      auto_arm_(takeAutoArm(private_node, options.auto_arm)),
       executor_(robot_, options.behavior, options.executor),
       sender_(makeCommandSender(node, options, robot_, map_)),
-      send_([this](const std::vector<double>& command) { sender_->send(tick_stamp_, command); }),
-      loop_(periodOf(options.behavior), loopCallbacks()),
+      sending_(executor_, *sender_, options.realtime),
+      loop_({periodOf(options.behavior), options.realtime}, clock_, loopCallbacks()),
+      emergency_stop_(node, private_node, executor_),
+      feedback_(node, executor_, map_, options.executor.feedback_timeout_s, clock_),
+      services_(private_node, executor_, feedback_, robot_.jointNames()),
       action_(node, executor_, loop_, robot_, options.behavior),
-      services_(node, private_node, executor_, robot_.jointNames()),
-      feedback_(node, executor_, map_),
       master_(topicsOf(*sender_)),
-      reports_(private_node, {*sender_, feedback_, services_, master_, loop_},
+      reports_(private_node,
+               {executor_, *sender_, feedback_, services_, emergency_stop_, master_, loop_},
                robot_.jointNames()) {
   reset_subscriber_ = node.subscribe(names::kRobotReset, 1, &ExecutorNode::onReset, this,
                                      ros::TransportHints().tcpNoDelay());
@@ -68,8 +76,7 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
 RealtimeLoop::Callbacks ExecutorNode::loopCallbacks() {
   RealtimeLoop::Callbacks callbacks;
   callbacks.tick = [this](std::int64_t slot, const ros::Time& stamp) {
-    tick_stamp_ = stamp;
-    executor_.tick(slot, send_);
+    executor_.tick(slot, toNs(stamp));
   };
   callbacks.idle = [this] { executor_.serve(); };
   callbacks.may_move_stamps = [this] { return executor_.modeInLoop() != ExecutorMode::kWalking; };
@@ -99,14 +106,14 @@ ExecutorNode::End ExecutorNode::run(const std::atomic<bool>& leave) {
 }
 
 void ExecutorNode::autoArm() {
-  if (steadyNow_ns() < next_auto_arm_ns_ || loop_.waitsForClock()) return;
-  next_auto_arm_ns_ = steadyNow_ns() + kAutoArmPeriod_ns;
+  if (clock_.steadyNow_ns() < next_auto_arm_ns_ || loop_.waitsForClock()) return;
+  next_auto_arm_ns_ = clock_.steadyNow_ns() + kAutoArmPeriod_ns;
   const Cause cause = executor_.arm();
   // Once: after a stop or a fault, a person arms.
   auto_arm_ = !cause.accepted() && executor_.status().cause.reason == Reason::kNeverArmed;
   if (!auto_arm_) return;
   ROS_WARN_STREAM_DELAYED_THROTTLE(kAutoArmWarnPeriod_s,
-                                   "Not armed yet: " << sentence(cause, robot_.jointNames()));
+                                   "Not armed yet: " << services_.explain(cause));
 }
 
 void ExecutorNode::onReset(const std_msgs::Header::ConstPtr& reset) {

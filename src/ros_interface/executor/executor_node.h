@@ -10,16 +10,18 @@
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/common/realtime_loop.h"
 #include "ros_interface/executor/command_sender.h"
+#include "ros_interface/executor/emergency_stop.h"
 #include "ros_interface/executor/execute_action.h"
 #include "ros_interface/executor/executor_node_options.h"
 #include "ros_interface/executor/executor_reports.h"
 #include "ros_interface/executor/executor_services.h"
 #include "ros_interface/executor/joint_feedback.h"
+#include "ros_interface/executor/sending_thread.h"
 
 namespace hexapod {
 
-/// The executor on ROS: command loop, action, services, reports. The command loop has its own
-/// thread; run() and the action, the feedback and the reports share the caller's.
+/// The executor on ROS: command loop, sending, emergency stop, feedback, services, action, reports.
+/// All have threads of their own but the action and the reports, which share run()'s.
 class ExecutorNode {
  public:
   /// Why run() came back.
@@ -38,18 +40,19 @@ class ExecutorNode {
   void autoArm();
   void onReset(const std_msgs::Header::ConstPtr& message);
 
+  SystemClock clock_;
   RobotDescription robot_;
   JointMap map_;
   bool auto_arm_;
   std::int64_t next_auto_arm_ns_ = 0;
   SharedExecutor executor_;
   std::unique_ptr<CommandSender> sender_;
-  ros::Time tick_stamp_;  // loop thread
-  SharedExecutor::Send send_;
+  SendingThread sending_;
   RealtimeLoop loop_;
-  ExecuteAction action_;
-  ExecutorServices services_;
+  EmergencyStop emergency_stop_;
   JointFeedback feedback_;
+  ExecutorServices services_;
+  ExecuteAction action_;
   MasterWatch master_;
   ExecutorReports reports_;
   ros::Subscriber reset_subscriber_;

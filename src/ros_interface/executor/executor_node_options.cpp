@@ -22,10 +22,14 @@ std::vector<Option> declareOptions(ExecutorNodeOptions& options) {
       option("joint_topic", options.joint_topic,
              "For per_joint: the topic of a joint; {joint} stands for its name."),
       option("auto_arm", options.auto_arm,
-             "Stand up by itself once after the start; false: wait for ~arm."),
+             "Stand up by itself once after the start. The parameter is then set to false: an "
+             "executor that is started again in the same session waits for ~arm."),
+      option("realtime", options.realtime,
+             "Ask the system for real-time priorities and locked memory, so that other programs do "
+             "not make commands late; where it refuses, say so and go on."),
   };
   for (const Option& option : declareOptions(options.executor)) all.push_back(option);
-  for (const Option& option : declareOptions(options.behavior)) all.push_back(option);
+  for (const Option& option : declareTimingOptions(options.behavior)) all.push_back(option);
   return all;
 }
 

@@ -26,8 +26,9 @@ struct ExecutorNodeOptions {
   std::string controllers = "position_controller";  ///< comma-separated
   std::string joint_topic = "{joint}_position_controller/command";
   bool auto_arm = false;
+  bool realtime = true;
   ExecutorOptions executor;
-  BehaviorOptions behavior;
+  BehaviorOptions behavior;  ///< always within the velocity limits
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <cstring>
+
 #include "hexapod_repertoire/ExecutorState.h"
 
 namespace hexapod {
@@ -63,7 +65,9 @@ void ExecutorReports::poll(const ExecutorStatus& status) {
     next_state_s_ = now_s + kStatePeriod_s;
   }
   watchCommandTopics(now_s);
+  watchFeedback();
   watchClock(now_s);
+  watchPriority();
   updater_.update();
 }
 
@@ -71,10 +75,11 @@ void ExecutorReports::publishState() {
   hexapod_repertoire::ExecutorState message;
   message.header.stamp = ros::Time::now();
   message.state = static_cast<std::uint8_t>(status_.mode);
-  message.reason = sentence(status_.cause, joint_names_);
+  message.reason = sources_.services.explain(status_.cause);
   message.entry_id = status_.entry_id;
   message.commands = status_.commands;
   message.skipped = status_.skipped;
+  message.tolerated_joints = toleratedJoints();
   state_publisher_.publish(message);
 }
 
@@ -109,6 +114,36 @@ void ExecutorReports::watchCommandTopics(double now_s) {
                                           "~command_interface.");
 }
 
+void ExecutorReports::watchFeedback() {
+  const std::string rivals = sources_.feedback.rivals();
+  if (rivals != rivals_ && !rivals.empty()) {
+    ROS_ERROR_STREAM("More than one node tells the angles of the same joints on "
+                     << sources_.feedback.topic() << ": " << rivals
+                     << ". The first is believed; stop the other, the executor cannot be armed "
+                        "while both talk.");
+  }
+  rivals_ = rivals;
+}
+
+void ExecutorReports::watchPriority() {
+  const int refusal = sources_.loop.realtimeRefusal();
+  if (priority_told_ || refusal < 0) return;
+  priority_told_ = true;
+  if (refusal == 0) return;
+  ROS_WARN_STREAM("No real-time priority ("
+                  << std::strerror(refusal)
+                  << "), so other programs may make commands late. Allow it (rtprio and memlock in "
+                     "/etc/security/limits.conf), or set ~realtime to false.");
+}
+
+std::vector<std::string> ExecutorReports::toleratedJoints() const {
+  std::vector<std::string> names;
+  for (const std::size_t joint : sources_.executor.toleratedJoints()) {
+    names.push_back(joint_names_[joint]);
+  }
+  return names;
+}
+
 void ExecutorReports::watchClock(double now_s) {
   if (!sources_.loop.waitsForClock() || now_s < next_clock_warning_s_) return;
   next_clock_warning_s_ = now_s + kClockWarnPeriod_s;
@@ -127,7 +162,7 @@ void ExecutorReports::reportState(Diagnostics& diagnostics) {
   diagnostics.add("Ticks skipped", timing.skipped);
   diagnostics.add("Mean lateness [ms]", 1e3 * timing.mean_lateness_s);
   diagnostics.add("Largest lateness [ms]", 1e3 * timing.largest_lateness_s);
-  diagnostics.add("Real-time priority", sources_.loop.hasRealtimePriority());
+  diagnostics.add("Real-time priority", sources_.loop.realtimeRefusal() == 0);
   if (sources_.loop.waitsForClock()) {
     diagnostics.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "Waiting for /clock.");
   }
@@ -148,17 +183,22 @@ void ExecutorReports::reportCommands(Diagnostics& diagnostics) {
 }
 
 void ExecutorReports::reportFeedback(Diagnostics& diagnostics) {
-  const bool lost = status_.cause.reason == Reason::kFeedbackLost;
+  const bool bad = status_.cause.reason == Reason::kFeedbackLost ||
+                   status_.cause.reason == Reason::kFeedbackFrozen;
   diagnostics.summary(
-      lost ? diagnostic_msgs::DiagnosticStatus::ERROR : diagnostic_msgs::DiagnosticStatus::OK,
-      lost ? "Feedback lost." : "Joint states on " + sources_.feedback.topic());
+      bad ? diagnostic_msgs::DiagnosticStatus::ERROR : diagnostic_msgs::DiagnosticStatus::OK,
+      bad ? sentence(status_.cause, joint_names_) : "Joint states on " + sources_.feedback.topic());
+  if (!rivals_.empty()) {
+    diagnostics.summary(diagnostic_msgs::DiagnosticStatus::ERROR,
+                        "More than one node tells the same joints' angles: " + rivals_);
+  }
   diagnostics.add("Messages used", sources_.feedback.received());
   diagnostics.add("Messages refused", sources_.feedback.refused());
   diagnostics.add("Last refused because", sources_.feedback.problem());
 }
 
 void ExecutorReports::reportEStop(Diagnostics& diagnostics) {
-  const std::uint32_t publishers = sources_.services.eStopPublishers();
+  const std::uint32_t publishers = sources_.emergency_stop.publishers();
   const bool gone = had_e_stop_ && publishers == 0;
   had_e_stop_ = had_e_stop_ || publishers > 0;
   diagnostics.summary(

@@ -12,20 +12,24 @@
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/common/realtime_loop.h"
 #include "ros_interface/executor/command_sender.h"
+#include "ros_interface/executor/emergency_stop.h"
 #include "ros_interface/executor/executor_services.h"
 #include "ros_interface/executor/joint_feedback.h"
 
 namespace hexapod {
 
 /// Tells people how the executor is: the latched topic ~state, diagnostics, and log sentences about
-/// changes, a command topic nobody listens to or somebody else publishes on, a clock that does not
-/// come. Used by one thread.
+/// changes, a command topic nobody listens to or somebody else publishes on, feedback from two
+/// nodes at once, a clock that does not come, a real-time priority that is refused. Used by one
+/// thread.
 class ExecutorReports {
  public:
   struct Sources {
+    const SharedExecutor& executor;
     const CommandSender& sender;
     const JointFeedback& feedback;
     const ExecutorServices& services;
+    const EmergencyStop& emergency_stop;
     const MasterWatch& master;
     const RealtimeLoop& loop;
   };
@@ -42,7 +46,10 @@ class ExecutorReports {
   void publishState();
   void logChange(const ExecutorStatus& before);
   void watchCommandTopics(double now_s);
+  void watchFeedback();
   void watchClock(double now_s);
+  void watchPriority();
+  std::vector<std::string> toleratedJoints() const;
   void reportState(Diagnostics& diagnostics);
   void reportCommands(Diagnostics& diagnostics);
   void reportFeedback(Diagnostics& diagnostics);
@@ -58,6 +65,8 @@ class ExecutorReports {
   double next_listener_warning_s_;
   double next_clock_warning_s_;
   std::string foreign_;
+  std::string rivals_;
+  bool priority_told_ = false;
   bool had_e_stop_ = false;
 };
 

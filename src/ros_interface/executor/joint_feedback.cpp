@@ -8,28 +8,68 @@ namespace hexapod {
 namespace {
 
 constexpr double kWarnPeriod_s = 5.0;
+// Room for the drivers of all legs while the thread is busy with the first.
+constexpr std::uint32_t kQueueSize = 10;
 
 }  // namespace
 
-JointFeedback::JointFeedback(ros::NodeHandle& node, SharedExecutor& executor, const JointMap& map)
+JointFeedback::JointFeedback(const ros::NodeHandle& node, SharedExecutor& executor,
+                             const JointMap& map, double timeout_s, const Clock& clock)
     : executor_(executor),
       map_(map),
-      matcher_(map.wireNames(), JointMatcher::OtherJoints::kIgnore) {
-  subscriber_ = node.subscribe(names::kJointStates, 1, &JointFeedback::onJointState, this,
-                               ros::TransportHints().tcpNoDelay());
+      clock_(clock),
+      merger_(map.wireNames(), timeout_s),
+      readings_(map.joints().size()),
+      node_(node),
+      spinner_(1, &queue_) {
+  node_.setCallbackQueue(&queue_);
+  if (timeout_s > 0.0) {
+    subscriber_ = node_.subscribe<sensor_msgs::JointState>(
+        names::kJointStates, kQueueSize,
+        boost::function<void(const Event&)>([this](const Event& event) { onJointState(event); }),
+        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  }
+  spinner_.start();
 }
 
-void JointFeedback::onJointState(const sensor_msgs::JointState::ConstPtr& message) {
-  if (matcher_.match(message->name, message->position)) {
-    ++received_;
-    map_.fromWire(matcher_.values(), angles_rad_);
-    executor_.feedback(angles_rad_);
+std::string JointFeedback::problem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return problem_;
+}
+
+std::string JointFeedback::rivals() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return rivals_;
+}
+
+void JointFeedback::onJointState(const Event& event) {
+  const sensor_msgs::JointState& message = *event.getConstMessage();
+  const std::int64_t ros_ns = toNs(clock_.rosNow());
+  const std::int64_t steady_ns = clock_.isSimulated() ? ros_ns : clock_.steadyNow_ns();
+  const FeedbackMerger::Result result = merger_.add({message.name,
+                                                     message.position,
+                                                     toNs(message.header.stamp),
+                                                     event.getPublisherName(),
+                                                     {ros_ns, steady_ns}});
+  if (result == FeedbackMerger::Result::kRefused) {
+    ++refused_;
+    const std::lock_guard<std::mutex> lock(mutex_);
+    problem_ = merger_.problem();
+    ROS_WARN_STREAM_THROTTLE(
+        kWarnPeriod_s, "A message on " << subscriber_.getTopic() << " is of no use: " << problem_);
     return;
   }
-  ++refused_;
-  problem_ = matcher_.problem();
-  ROS_WARN_STREAM_THROTTLE(
-      kWarnPeriod_s, "A message on " << subscriber_.getTopic() << " is of no use: " << problem_);
+  if (result == FeedbackMerger::Result::kUsed) ++received_;
+  handOver();
+}
+
+void JointFeedback::handOver() {
+  map_.fromWire(merger_.readings().angles_rad, readings_.angles_rad);
+  readings_.counts = merger_.readings().counts;
+  readings_.contested_joint = merger_.readings().contested_joint;
+  executor_.feedback(readings_);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  rivals_ = merger_.rivals(readings_.contested_joint);
 }
 
 }  // namespace hexapod

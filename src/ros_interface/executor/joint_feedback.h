@@ -1,42 +1,61 @@
 #pragma once
 
+#include <ros/callback_queue.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
+#include <ros/spinner.h>
 #include <sensor_msgs/JointState.h>
 
+#include <atomic>
 #include <cstdint>
+#include <mutex>
 #include <string>
 #include <vector>
 
+#include "execution/feedback_merger.h"
 #include "execution/joint_map.h"
-#include "execution/joint_matcher.h"
 #include "execution/shared_executor.h"
+#include "ros_interface/common/clock.h"
 
 namespace hexapod {
 
-/// Takes joint_states, checks them and hands the robot's angles to the executor. Messages that lack
-/// a joint, name one twice or hold a number that is none are counted and left out.
+/// Takes joint_states, from one driver or from several for some joints each, and hands what is
+/// believed of it (FeedbackMerger) to the executor. On a queue and a thread of its own: no other
+/// callback makes feedback old. Public functions from any thread.
 class JointFeedback {
  public:
-  /// `executor` must outlive it.
-  JointFeedback(ros::NodeHandle& node, SharedExecutor& executor, const JointMap& map);
+  /// `executor` and `clock` must outlive it. `timeout_s` 0: nothing is listened to, open loop.
+  JointFeedback(const ros::NodeHandle& node, SharedExecutor& executor, const JointMap& map,
+                double timeout_s, const Clock& clock);
 
   std::uint64_t received() const { return received_; }
   std::uint64_t refused() const { return refused_; }
   /// Sentence about the last message refused; empty when none was.
-  const std::string& problem() const { return problem_; }
+  std::string problem() const;
+  /// The nodes that contest a joint, as "/a and /b"; empty while none is contested.
+  std::string rivals() const;
   std::string topic() const { return subscriber_.getTopic(); }
 
  private:
-  void onJointState(const sensor_msgs::JointState::ConstPtr& message);
+  using Event = ros::MessageEvent<const sensor_msgs::JointState>;
+
+  void onJointState(const Event& event);
+  void handOver();
 
   SharedExecutor& executor_;
   JointMap map_;
-  JointMatcher matcher_;
-  std::vector<double> angles_rad_;
-  std::uint64_t received_ = 0;
-  std::uint64_t refused_ = 0;
-  std::string problem_;
+  const Clock& clock_;
+  FeedbackMerger merger_;   // feedback thread
+  JointReadings readings_;  // feedback thread; as the robot description counts angles
+  std::atomic<std::uint64_t> received_{0};
+  std::atomic<std::uint64_t> refused_{0};
+  mutable std::mutex mutex_;
+  std::string problem_;  // guarded by mutex_
+  std::string rivals_;   // guarded by mutex_
+  ros::CallbackQueue queue_;
+  ros::NodeHandle node_;
   ros::Subscriber subscriber_;
+  ros::AsyncSpinner spinner_;
 };
 
 }  // namespace hexapod

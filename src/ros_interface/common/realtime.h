@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+namespace hexapod {
+
+/// Real-time priorities of the threads a command passes through: above the kernel's ordinary
+/// threads, below its interrupt threads (50).
+struct RealtimePriority {
+  static constexpr int kLoop = 40;       ///< decides what is sent
+  static constexpr int kSending = 39;    ///< serialises it
+  static constexpr int kTransport = 38;  ///< writes it to the sockets
+};
+
+/// Asks for SCHED_FIFO at `priority`, or as near to it as RLIMIT_RTPRIO allows, for the calling
+/// thread. Returns 0, or the errno of the refusal; the thread then goes on as it was.
+int askForRealtimePriority(int priority);
+
+/// Keeps all pages of the process in memory, now and later: a page fault makes a command late.
+/// Returns "", or a sentence why the system does not allow it. Without the right to lock without
+/// limit nothing is locked, since later allocations would then fail.
+std::string lockMemory();
+
+}  // namespace hexapod

@@ -1,0 +1,41 @@
+#include "ros_interface/executor/emergency_stop.h"
+
+#include <ros/console.h>
+#include <std_srvs/Trigger.h>
+
+namespace hexapod {
+namespace {
+
+constexpr char kTopic[] = "e_stop";
+constexpr char kService[] = "stop";
+constexpr std::uint32_t kQueueSize = 10;
+
+}  // namespace
+
+EmergencyStop::EmergencyStop(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
+                             SharedExecutor& executor)
+    : executor_(executor), node_(node), private_node_(private_node), spinner_(1, &queue_) {
+  node_.setCallbackQueue(&queue_);
+  private_node_.setCallbackQueue(&queue_);
+  topic_ = node_.subscribe(kTopic, kQueueSize, &EmergencyStop::onEStop, this,
+                           ros::TransportHints().tcpNoDelay());
+  using Response = std_srvs::Trigger::Response;
+  using Service = bool(std_srvs::Trigger::Request&, Response&);
+  service_ = private_node_.advertiseService(
+      kService, boost::function<Service>([this](std_srvs::Trigger::Request&, Response& response) {
+        executor_.stop(Reason::kStopRequested);
+        response.success = true;
+        response.message = "Stopped; nothing is sent until ~arm.";
+        return true;
+      }));
+  spinner_.start();
+}
+
+void EmergencyStop::onEStop(const std_msgs::Bool::ConstPtr& message) {
+  const bool pressed = message->data;
+  executor_.setEStop(pressed);
+  if (pressed && !pressed_) ROS_WARN_STREAM("Emergency stop through " << topic_.getTopic() << ".");
+  pressed_ = pressed;
+}
+
+}  // namespace hexapod

@@ -1,0 +1,71 @@
+#include "ros_interface/executor/playable_behaviors.h"
+
+#include <gtest/gtest.h>
+
+#include "execution/shipped_robot.h"
+#include "ros_interface/executor/executor_node_options.h"
+
+namespace hexapod {
+namespace {
+
+class PlayableBehaviorsTest : public testing::Test {
+ protected:
+  PlayableBehaviorsTest() {
+    repertoire_.run_id = "run";
+    repertoire_.robot_id = shippedRobot().digest;
+    repertoire_.behavior_duration_s = 3.9;
+    repertoire_.joint_names = shippedRobot().jointNames();
+    repertoire_.entries.resize(1);
+    repertoire_.entries[0].id = 7;
+    repertoire_.entries[0].genome.assign(shippedRobot().geneCount(), 2);
+  }
+
+  hexapod_repertoire::ExecuteBehaviorGoal goal(std::int64_t entry_id, const std::string& run_id) {
+    hexapod_repertoire::ExecuteBehaviorGoal goal;
+    goal.entry_id = entry_id;
+    goal.run_id = run_id;
+    return goal;
+  }
+
+  std::string problemOf(const hexapod_repertoire::ExecuteBehaviorGoal& goal) {
+    std::string problem;
+    const bool found = behaviors_.find(goal, problem) != nullptr;
+    EXPECT_EQ(found, problem.empty());
+    return problem;
+  }
+
+  hexapod_repertoire::Repertoire repertoire_;
+  PlayableBehaviors behaviors_{shippedRobot(), BehaviorOptions()};
+};
+
+TEST_F(PlayableBehaviorsTest, PlaysTheBehaviorTheLearnerEvaluated) {
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  std::string problem;
+  const auto behavior = behaviors_.find(goal(7, "run"), problem);
+  ASSERT_TRUE(behavior) << problem;
+  const Behavior learned(shippedRobot(), Genome(shippedRobot().geneCount(), 2), BehaviorOptions());
+  ASSERT_EQ(behavior->commandCount(), learned.commandCount());
+  for (std::size_t k = 0; k < learned.commandCount(); ++k) {
+    EXPECT_EQ(behavior->command(k), learned.command(k));
+  }
+}
+
+TEST_F(PlayableBehaviorsTest, RefusesEntriesOfOtherRunsAndUnknownOnes) {
+  EXPECT_NE(problemOf(goal(7, "run")).find("No repertoire has come"), std::string::npos);
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  EXPECT_EQ(problemOf(goal(7, "run")), "");
+  EXPECT_NE(problemOf(goal(7, "other")).find("'other'"), std::string::npos);
+  EXPECT_NE(problemOf(goal(8, "run")).find("Entry 8"), std::string::npos);
+  repertoire_.robot_id = "0123";
+  EXPECT_NE(behaviors_.update(repertoire_).find("0123"), std::string::npos);
+  EXPECT_NE(problemOf(goal(7, "run")), "") << "nothing is left to play from";
+}
+
+TEST(ExecutorNodeOptions, TheVelocityLimitIsNoOptionOfTheExecutor) {
+  ExecutorNodeOptions options;
+  EXPECT_TRUE(options.behavior.limit_velocity);
+  for (const Option& option : declareOptions(options)) EXPECT_NE(option.name, "limit_velocity");
+}
+
+}  // namespace
+}  // namespace hexapod
