@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "common/text.h"
+
 namespace hexapod {
 namespace {
 
@@ -33,7 +35,7 @@ CommandGate::CommandGate(const RobotDescription& robot, double period_s, const G
     const double upper_rad = joint->upper_rad - options.soft_limit_margin_rad;
     if (neutral_rad < lower_rad || neutral_rad > upper_rad) {
       throw std::invalid_argument("Option soft_limit_margin_rad is " +
-                                  std::to_string(options.soft_limit_margin_rad) +
+                                  numberText(options.soft_limit_margin_rad) +
                                   " rad and forbids the neutral angle of joint '" + joint->name +
                                   "'; give a smaller margin.");
     }

@@ -4,10 +4,12 @@
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <fstream>
 
 namespace hexapod {
 namespace {
@@ -18,12 +20,21 @@ int setFifo(int priority) {
   return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
 }
 
-// Who may raise the limit raises it: the soft one up to the hard one, a privileged process both.
-bool mayLockWithoutLimit() {
+// True when RLIMIT_MEMLOCK allows all there will ever be; who may raise it has it raised.
+bool lockIsUnlimited() {
   const rlimit unlimited{RLIM_INFINITY, RLIM_INFINITY};
   if (setrlimit(RLIMIT_MEMLOCK, &unlimited) == 0) return true;
   rlimit limit{};
   return getrlimit(RLIMIT_MEMLOCK, &limit) == 0 && limit.rlim_cur == RLIM_INFINITY;
+}
+
+// More is locked than RLIMIT_MEMLOCK allows: the process has the privilege not to be limited.
+bool lockedBeyondLimit() {
+  rlimit limit{};
+  long pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return getrlimit(RLIMIT_MEMLOCK, &limit) == 0 &&
+         static_cast<rlim_t>(pages * sysconf(_SC_PAGESIZE)) > limit.rlim_cur;
 }
 
 }  // namespace
@@ -37,13 +48,15 @@ int askForRealtimePriority(int priority) {
 }
 
 std::string lockMemory() {
-  if (!mayLockWithoutLimit()) {
-    return "The memory cannot be locked without limit (RLIMIT_MEMLOCK), so page faults may make "
-           "commands late.";
+  const bool unlimited = lockIsUnlimited();
+  if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) {
+    if (unlimited || lockedBeyondLimit()) return "";
+    munlockall();  // or later allocations fail at the limit
+    errno = EPERM;
   }
-  if (mlockall(MCL_CURRENT | MCL_FUTURE) == 0) return "";
   return std::string("The memory cannot be locked (") + std::strerror(errno) +
-         "), so page faults may make commands late.";
+         "), so page faults may make commands late. Allow it (memlock unlimited in "
+         "/etc/security/limits.conf), or set ~realtime to false.";
 }
 
 }  // namespace hexapod

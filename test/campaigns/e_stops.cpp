@@ -1,0 +1,438 @@
+// Emergency stops at random instants of walks: no command later, none of an old behaviour after
+// arming.
+//
+// Part 1, in-process: the executor's loop as fast as it goes, its sending thread, stops from a
+// third. Part 2, on the wire: the executor node on simulated time, a driver whose callback stalls.
+//
+//   --short       some stops of each part
+//   --stops N     1,000 by default; --speed S of simulated time, 3 by default; --seed N 1 by
+//   default
+#include <hexapod_repertoire/ExecuteBehaviorActionGoal.h>
+#include <hexapod_repertoire/ExecutorState.h>
+#include <rosgraph_msgs/Clock.h>
+#include <sensor_msgs/JointState.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <limits>
+#include <mutex>
+#include <thread>
+
+#include "common/random.h"
+#include "execution/shared_executor.h"
+#include "robot/load_robot.h"
+#include "ros_interface/common/clock.h"
+#include "ros_session.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::int64_t kPeriod_ns = 30'000'000;
+constexpr double kSame_rad = 1e-6;
+constexpr std::int64_t kForever = std::numeric_limits<std::int64_t>::max();
+
+/// What was seen, and what of it should not have been.
+struct Tally {
+  int stops = 0;
+  int walking = 0;        // stops that found a behaviour under way
+  int late = 0;           // stops after which a command was sent
+  int old_after_arm = 0;  // armings after which an old set-point came
+  std::int64_t latest_periods = 0;
+};
+
+Genome randomGenome(Random& random, std::size_t count) {
+  Genome genome(count);
+  for (auto& gene : genome) gene = static_cast<std::uint8_t>(random.below(kGeneLevels));
+  return genome;
+}
+
+// Is every joint somewhere on the straight way from one pose to another?
+bool onTheWay(const std::vector<double>& from, const std::vector<double>& to,
+              const std::vector<double>& pose) {
+  for (std::size_t j = 0; j < pose.size(); ++j) {
+    if (pose[j] < std::min(from[j], to[j]) - kSame_rad) return false;
+    if (pose[j] > std::max(from[j], to[j]) + kSame_rad) return false;
+  }
+  return true;
+}
+
+/// Part 1: a loop thread, a sending thread, and the caller who stops.
+class InProcess {
+ public:
+  InProcess(const RobotDescription& robot, std::uint64_t seed)
+      : robot_(robot),
+        random_(seed),
+        executor_(robot, BehaviorOptions(), options()),
+        pose_(robot.neutralPose()),
+        loop_([this] { tick(); }),
+        sender_([this] { send(); }) {}
+  ~InProcess() {
+    running_ = false;
+    executor_.stopSending();
+    loop_.join();
+    sender_.join();
+  }
+
+  Tally run(int stops) {
+    Tally tally;
+    for (; tally.stops < stops; ++tally.stops) {
+      waitFor([this] {
+        executor_.arm();
+        return executor_.status().mode == ExecutorMode::kReady;
+      });
+      const Behavior behavior(robot_, randomGenome(random_, robot_.geneCount()), {});
+      limit_ = slot_.load();  // the loop stands, so that the walk is as long as was drawn
+      waitFor([&] { return executor_.start(behavior, 1).accepted(); });
+      limit_ = slot_ + 1 + static_cast<std::int64_t>(random_.below(130));
+      waitFor([this] { return slot_ >= limit_; });
+      if (executor_.status().mode == ExecutorMode::kWalking) ++tally.walking;
+      stopOnce(tally);
+      waitFor([this] { return executor_.status().mode == ExecutorMode::kStopped; });
+    }
+    tally.old_after_arm = jumps_;
+    return tally;
+  }
+
+ private:
+  static ExecutorOptions options() {
+    ExecutorOptions options;
+    options.ramp_time_s = 0.1;
+    return options;
+  }
+
+  void stopOnce(Tally& tally) {
+    const std::int64_t pressed = slot_;
+    limit_ = kForever;  // the loop goes on while the stop comes
+    executor_.setEStop(true);
+    const std::uint64_t sent = sent_;
+    const std::int64_t last_sent = last_sent_slot_;
+    waitFor([&] { return slot_ >= pressed + 5; });
+    if (sent_ != sent) ++tally.late;
+    tally.latest_periods = std::max(tally.latest_periods, last_sent - pressed);
+    executor_.setEStop(false);
+    armed_anew_ = true;
+  }
+
+  void tick() {
+    JointReadings readings(robot_.jointCount());
+    while (running_) {
+      if (slot_ >= limit_) {
+        executor_.serve();
+        std::this_thread::yield();
+        continue;
+      }
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        readings.angles_rad = pose_;
+      }
+      for (std::uint64_t& count : readings.counts) ++count;
+      executor_.feedback(readings);
+      executor_.tick(slot_ + 1, 0);
+      ++slot_;
+      // A period is long enough to send in, nearly always.
+      for (int i = 0; i < 1000 && last_sent_slot_ < slot_ && sendsCommands(executor_.modeInLoop());
+           ++i)
+        std::this_thread::yield();
+    }
+  }
+
+  // The robot follows at once. The first command after arming leads from where it stands to
+  // neutral.
+  void send() {
+    const SharedExecutor::Send send = [this](const OutgoingCommand& command) {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      if (armed_anew_.exchange(false) &&
+          !onTheWay(pose_, robot_.neutralPose(), command.angles_rad)) {
+        ++jumps_;
+      }
+      pose_ = command.angles_rad;
+      last_sent_slot_ = command.slot;
+      ++sent_;
+    };
+    while (executor_.sendNext(send)) {
+    }
+  }
+
+  static void waitFor(const std::function<bool()>& condition) {
+    while (!condition()) std::this_thread::yield();
+  }
+
+  const RobotDescription& robot_;
+  Random random_;
+  SharedExecutor executor_;
+  std::mutex mutex_;
+  std::vector<double> pose_;  // guarded by mutex_
+  std::atomic<std::int64_t> slot_{0};
+  std::atomic<std::int64_t> limit_{kForever};  // the loop stands at this slot
+  std::atomic<std::int64_t> last_sent_slot_{0};
+  std::atomic<std::uint64_t> sent_{0};
+  std::atomic<bool> armed_anew_{false};
+  std::atomic<int> jumps_{0};
+  std::atomic<bool> running_{true};
+  std::thread loop_;
+  std::thread sender_;
+};
+
+// --- the stalled driver, a process of its own ---
+
+// Obeys a set-point at the beginning of a callback and tells so, then stalls for some periods.
+int driveStalled() {
+  RosSession::join("stalled_driver");
+  ros::NodeHandle node;
+  Random random(7);
+  const ros::Publisher obeyed = node.advertise<sensor_msgs::JointState>("obeyed", 1000);
+  const auto subscriber = node.subscribe<sensor_msgs::JointState>(
+      "joint_command", 1,
+      boost::function<void(const sensor_msgs::JointState::ConstPtr&)>(
+          [&](const sensor_msgs::JointState::ConstPtr& command) {
+            obeyed.publish(command);
+            usleep(20'000 + static_cast<useconds_t>(random.below(40'000)));
+          }),
+      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
+  ros::spin();
+  return 0;
+}
+
+/// Part 2: this process is the clock, the robot, the client and the witness.
+class OnTheWire {
+ public:
+  OnTheWire(const RobotDescription& robot, double speed, std::uint64_t seed)
+      : robot_(robot), random_(seed), speed_(speed), spinner_(2) {
+    ros::param::set("/use_sim_time", true);
+    ros::param::set("/executor/ramp_time_s", 0.1);
+    ros::param::set("/executor/hold_time_s", 0.0);
+    clock_publisher_ = node_.advertise<rosgraph_msgs::Clock>("/clock", 1);
+    states_publisher_ = node_.advertise<sensor_msgs::JointState>("joint_states", 1);
+    e_stop_ = node_.advertise<std_msgs::Bool>("e_stop", 1);
+    goals_ = node_.advertise<hexapod_repertoire::ExecuteBehaviorActionGoal>("execute/goal", 1);
+    pose_ = robot.neutralPose();
+    commands_ = subscribe("joint_command", [this](const auto& command) { onCommand(command); });
+    obeyed_ = subscribe("obeyed", [this](const auto& command) { onObeyed(command); });
+    state_subscriber_ = node_.subscribe<hexapod_repertoire::ExecutorState>(
+        "executor/state", 10,
+        boost::function<void(const hexapod_repertoire::ExecutorState::ConstPtr&)>(
+            [this](const hexapod_repertoire::ExecutorState::ConstPtr& s) { state_ = s->state; }));
+    clock_ = std::thread([this] { passTime(); });
+    spinner_.start();
+    executor_ = RosSession::start("executor");
+    driver_ = std::make_unique<Child>(
+        std::vector<std::string>{binariesFolder() + "/campaign_e_stops", "--driver"});
+  }
+  ~OnTheWire() {
+    running_ = false;
+    clock_.join();
+    spinner_.stop();
+  }
+
+  Tally run(int stops) {
+    for (; tally_.stops < stops; ++tally_.stops) {
+      arm();
+      walk();
+      waitUntil(now_ns_ + static_cast<std::int64_t>(random_.below(3'900'000'000)));
+      if (state_ == hexapod_repertoire::ExecutorState::WALKING) ++tally_.walking;
+      stopOnce();
+    }
+    tally_.old_after_arm = old_after_arm_;
+    tally_.latest_periods = latest_ns_ / kPeriod_ns;
+    return tally_;
+  }
+
+  int oldSetPointsObeyedAfterStops() const { return obeyed_after_stop_; }
+  int mostAfterOneStop() const { return most_after_one_stop_; }
+
+ private:
+  using Command = sensor_msgs::JointState::ConstPtr;
+
+  ros::Subscriber subscribe(const std::string& topic,
+                            const std::function<void(const Command&)>& f) {
+    return node_.subscribe<sensor_msgs::JointState>(
+        topic, 1000, boost::function<void(const Command&)>(f), ros::VoidConstPtr(),
+        ros::TransportHints().tcpNoDelay());
+  }
+
+  // 1 kHz of real time; joint states every 10 ms of simulated time.
+  void passTime() {
+    const std::int64_t step_ns = static_cast<std::int64_t>(1e6 * speed_);
+    sensor_msgs::JointState states;
+    states.name = robot_.jointNames();
+    std::int64_t next_states_ns = 0;
+    for (std::int64_t deadline_ns = steadyNow_ns(); running_; deadline_ns += 1'000'000) {
+      sleepUntilSteady(deadline_ns);
+      deadline_ns = std::max(deadline_ns, steadyNow_ns() - 2'000'000);
+      now_ns_ += step_ns;
+      rosgraph_msgs::Clock clock;
+      clock.clock = timeFromNs(now_ns_);
+      clock_publisher_.publish(clock);
+      if (now_ns_ < next_states_ns) continue;
+      next_states_ns = now_ns_ + 10'000'000;
+      states.header.stamp = clock.clock;
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        states.position = pose_;
+      }
+      states_publisher_.publish(states);
+    }
+  }
+
+  void onCommand(const Command& command) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::int64_t stamp_ns = toNs(command->header.stamp);
+    if (stopped_) {
+      ++commands_while_stopped_;
+      latest_ns_ = std::max(latest_ns_, stamp_ns - pressed_ns_);
+      if (stamp_ns > pressed_ns_ + kPeriod_ns) late_ = true;
+    } else if (first_after_arm_) {
+      first_after_arm_ = false;
+      if (!onTheWay(pose_, robot_.neutralPose(), command->position)) ++old_after_arm_;
+    }
+    if (!stopped_) pose_ = command->position;
+  }
+
+  void onObeyed(const Command& command) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::int64_t stamp_ns = toNs(command->header.stamp);
+    if (stopped_ && now_ns_ > pressed_ns_ + kPeriod_ns) ++obeyed_this_stop_;
+    if (!stopped_ && stamp_ns < armed_ns_) ++old_after_arm_;
+  }
+
+  void arm() {
+    while (true) {
+      {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        armed_ns_ = now_ns_;
+        stopped_ = false;
+        first_after_arm_ = true;
+      }
+      std_srvs::Trigger trigger;
+      const bool answered = ros::service::call("/executor/arm", trigger);
+      if (answered && trigger.response.success) break;
+      usleep(20'000);
+    }
+    waitFor(hexapod_repertoire::ExecutorState::READY);
+  }
+
+  void walk() {
+    hexapod_repertoire::ExecuteBehaviorActionGoal goal;
+    goal.goal_id.id = std::to_string(tally_.stops + 1);
+    goal.goal.entry_id = -1;
+    goal.goal.genome = randomGenome(random_, robot_.geneCount());
+    while (goals_.getNumSubscribers() == 0) usleep(1000);
+    goals_.publish(goal);
+  }
+
+  // Half of the stops by topic, half by service.
+  void stopOnce() {
+    {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      pressed_ns_ = now_ns_;
+      stopped_ = true;
+      late_ = false;
+      obeyed_this_stop_ = 0;
+    }
+    std_msgs::Bool pressed;
+    pressed.data = true;
+    std_srvs::Trigger trigger;
+    const bool by_topic = random_.chance(0.5);
+    by_topic ? e_stop_.publish(pressed)
+             : static_cast<void>(ros::service::call("/executor/stop", trigger));
+    waitFor(hexapod_repertoire::ExecutorState::STOPPED);
+    waitUntil(now_ns_ + 10 * kPeriod_ns);
+    pressed.data = false;
+    if (by_topic) e_stop_.publish(pressed);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    if (late_) ++tally_.late;
+    obeyed_after_stop_ += obeyed_this_stop_;
+    most_after_one_stop_ = std::max(most_after_one_stop_, obeyed_this_stop_);
+  }
+
+  void waitFor(int state) const {
+    while (state_ != state) usleep(500);
+  }
+  void waitUntil(std::int64_t time_ns) const {
+    while (now_ns_ < time_ns) usleep(500);
+  }
+
+  const RobotDescription& robot_;
+  Random random_;
+  double speed_;
+  ros::NodeHandle node_;
+  ros::AsyncSpinner spinner_;
+  ros::Publisher clock_publisher_, states_publisher_, e_stop_, goals_;
+  ros::Subscriber commands_, obeyed_, state_subscriber_;
+  std::unique_ptr<Child> executor_, driver_;
+  std::atomic<bool> running_{true};
+  std::atomic<int> state_{-1};
+  std::atomic<std::int64_t> now_ns_{1'000'000'000};
+  std::thread clock_;
+  std::mutex mutex_;  // all below
+  std::vector<double> pose_;
+  bool stopped_ = true;
+  bool first_after_arm_ = false;
+  bool late_ = false;
+  std::int64_t pressed_ns_ = 0, armed_ns_ = 0, latest_ns_ = 0;
+  int commands_while_stopped_ = 0, old_after_arm_ = 0;
+  int obeyed_this_stop_ = 0, obeyed_after_stop_ = 0, most_after_one_stop_ = 0;
+  Tally tally_;
+};
+
+bool report(const char* part, const Tally& tally) {
+  std::printf("| %s | %d | %d | %d | %lld | %d |\n", part, tally.stops, tally.walking, tally.late,
+              static_cast<long long>(tally.latest_periods), tally.old_after_arm);
+  std::fflush(stdout);
+  return tally.late == 0 && tally.old_after_arm == 0;
+}
+
+int runCampaign(int stops, double speed, std::uint64_t seed) {
+  const std::string root = RosSession::root();
+  const RobotDescription robot =
+      loadRobot(root + "/urdf/hexapod.urdf", root + "/config/hexapod.yaml");
+  std::printf(
+      "Stops at random instants of behaviours of random genomes (seed %llu).\n\n"
+      "| where | stops | while walking | commands more than a period later | latest command after "
+      "it [periods] | old set-points after arming |\n|---|---|---|---|---|---|\n",
+      static_cast<unsigned long long>(seed));
+  bool good = report("in-process", InProcess(robot, seed).run(stops));
+  RosSession session("e_stops");
+  OnTheWire wire(robot, speed, seed);
+  good = report("wire, stalled driver", wire.run(stops)) && good;
+  std::printf(
+      "\nSimulated time at %.1f times real time on the wire. The driver stalls for 20 to 60 ms of "
+      "real time in every\ncallback, queue size 1: after the %d stops it obeyed %d set-points that "
+      "its own queue still held, at most %d\nafter one stop.\n",
+      speed, stops, wire.oldSetPointsObeyedAfterStops(), wire.mostAfterOneStop());
+  good = good && wire.mostAfterOneStop() <= 1;
+  std::printf("\n%s\n", good ? "All promises held." : "Not all promises held.");
+  return good ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace hexapod
+
+int main(int argc, char** argv) {
+  int stops = 1000;
+  double speed = 3.0;
+  std::uint64_t seed = 1;
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (word == "--driver") return hexapod::driveStalled();
+    if (word == "--short") {
+      stops = 5;
+    } else if (word == "--stops" && i + 1 < argc) {
+      stops = std::stoi(argv[++i]);
+    } else if (word == "--speed" && i + 1 < argc) {
+      speed = std::stod(argv[++i]);
+    } else if (word == "--seed" && i + 1 < argc) {
+      seed = std::stoull(argv[++i]);
+    } else {
+      std::fprintf(stderr, "usage: %s [--short] [--stops N] [--speed S] [--seed N]\n", argv[0]);
+      return 2;
+    }
+  }
+  return hexapod::runCampaign(stops, speed, seed);
+}
