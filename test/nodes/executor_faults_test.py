@@ -22,31 +22,6 @@ from sensor_msgs.msg import JointState
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import robot_session as rs  # noqa: E402
 
-JOINTS = [name for leg in range(6)
-          for name in ("body_leg_%d" % leg, "leg_%d_1_2" % leg, "leg_%d_2_3" % leg)]
-
-
-class FakeRobot:
-    """Publishes joint_states at 100 Hz: the last command, after `spoil` has had its way with it."""
-
-    def __init__(self):
-        self.spoil = lambda message: message
-        self._positions = dict.fromkeys(JOINTS, 0.0)
-        self._publisher = rospy.Publisher("joint_states", JointState, queue_size=1)
-        self._subscriber = rospy.Subscriber("joint_command", JointState, self._obey)
-        self._timer = rospy.Timer(rospy.Duration(0.01), self._publish)
-
-    def _obey(self, message):
-        self._positions = dict(zip(message.name, message.position))
-
-    def _publish(self, _):
-        message = JointState(name=list(JOINTS), position=[self._positions[j] for j in JOINTS])
-        message.header.stamp = rospy.Time.now()
-        message = self.spoil(message)
-        if message is not None:
-            self._publisher.publish(message)
-
-
 def shuffled(message):
     order = random.Random(1).sample(range(18), 18)
     message.name = [message.name[i] for i in order] + ["camera_pan"]
@@ -69,6 +44,11 @@ def with_a_joint_twice(message):
     return message
 
 
+def with_an_old_stamp(message):
+    message.header.stamp -= rospy.Duration(2.0)
+    return message
+
+
 def stuck(message):
     message.position = [0.0] * 18
     return message
@@ -87,7 +67,7 @@ class ExecutorFaults(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         rospy.init_node("executor_faults_test")
-        cls.robot = FakeRobot()
+        cls.robot = rs.FakeRobot()
         cls.session = rs.Session()
         cls.diagnostics = rs.Recorder("/diagnostics", DiagnosticArray)
         cls.repertoires = rospy.Publisher("repertoire", Repertoire, queue_size=1, latch=True)
@@ -109,7 +89,8 @@ class ExecutorFaults(unittest.TestCase):
         self.assertTrue(rs.played(self.session.result(handle)))
 
     def test_lost_or_useless_feedback_is_a_fault_and_nothing_is_sent(self):
-        for spoil in (lambda message: None, with_nan, with_a_missing_joint, with_a_joint_twice):
+        for spoil in (lambda message: None, with_nan, with_a_missing_joint, with_a_joint_twice,
+                      with_an_old_stamp):
             self.session.make_ready()
             handle = self.session.send(rs.TURN)
             self.session.wait_state(ExecutorState.WALKING)
@@ -165,7 +146,7 @@ class ExecutorFaults(unittest.TestCase):
 
     def repertoire(self, **changes):
         message = Repertoire(format_version=1, run_id="run", robot_id=self.digest,
-                             behavior_duration_s=3.9, joint_names=JOINTS)
+                             behavior_duration_s=3.9, joint_names=rs.JOINTS)
         message.header.frame_id = "base_footprint"
         message.entries = [RepertoireEntry(id=7, genome=bytes(rs.TURN))]
         for name, value in changes.items():
@@ -191,7 +172,7 @@ class ExecutorFaults(unittest.TestCase):
         self.publish(self.repertoire(robot_id="0123"), "learned for the robot 0123")
         self.publish(self.repertoire(behavior_duration_s=3.0), "behaviours take 3.0")
         self.publish(self.repertoire(behavior_duration_s=math.nan), "behaviours take nan")
-        self.publish(self.repertoire(joint_names=JOINTS[:17]), "joint names")
+        self.publish(self.repertoire(joint_names=rs.JOINTS[:17]), "joint names")
         for genome in ([1] * 23, [5] * 24):
             self.publish(self.repertoire(entries=[RepertoireEntry(id=7, genome=bytes(genome))]),
                          "Entry 7 of the repertoire is refused")

@@ -2,17 +2,36 @@
 """The processes of executor and simulated robot: wrong parameters, no master, shutdown."""
 import os
 import signal
+import socket
 import subprocess
 import sys
 import time
 import unittest
 
+import rosgraph
 import rospy
 import rostest
 from hexapod_repertoire.msg import ExecutorState
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import robot_session as rs  # noqa: E402
+
+
+# Has a behaviour played and prints when it is under way, then the code of its result.
+CLIENT = """
+client = actionlib.ActionClient("execute", ExecuteBehaviorAction)
+client.wait_for_server()
+goal = ExecuteBehaviorGoal(entry_id=-1, genome=bytes(%r))
+while True:
+    told = []
+    handle = client.send_goal(goal, feedback_cb=lambda *_: told.append(print("walking", flush=True))
+                              if not told else None)
+    while handle.get_comm_state() != actionlib.CommState.DONE:
+        rospy.sleep(0.05)
+    if told:
+        break
+print(handle.get_result().code, flush=True)
+"""
 
 
 class ExecutorProcess(unittest.TestCase):
@@ -91,6 +110,43 @@ class ExecutorProcess(unittest.TestCase):
             process.send_signal(ending)
             self.assertEqual(process.wait(timeout=10.0), 0)
             self.assertLess(time.monotonic() - asked, 4.0)
+
+    def test_stands_up_by_itself_once_in_a_session(self):
+        rospy.set_param("/riser", {
+            "robot_config": self.root + "/config/hexapod.yaml", "feedback_timeout_s": 0,
+            "auto_arm": True, "ramp_time_s": 0.1})
+        states = rs.Recorder("/riser/state", ExecutorState)
+        process = self.start("executor", "riser")
+        rs.wait_for(lambda: states.last() and states.last().state == ExecutorState.READY, 20.0,
+                    "the executor to stand")
+        process.kill()
+        process.wait()
+        states.clear()
+        self.start("executor", "riser")  # as roslaunch starts it again
+        for _ in range(3):
+            self.assertEqual(states.next(20.0).state, ExecutorState.DISARMED)
+
+    def test_finishes_the_behaviour_when_the_master_is_gone_and_ends_with_code_3(self):
+        with socket.socket() as free:
+            free.bind(("127.0.0.1", 0))
+            port = free.getsockname()[1]
+        uri = "http://127.0.0.1:%d" % port
+        core = subprocess.Popen(["rosmaster", "--core", "-p", str(port)],
+                                stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        self.processes.append(core)
+        master = rosgraph.Master("/executor_process_test", uri)
+        rs.wait_for(master.is_online, 20.0, "the other master")
+        master.setParam("/robot_description", rospy.get_param("/robot_description"))
+        master.setParam("/walker", {
+            "robot_config": self.root + "/config/hexapod.yaml", "feedback_timeout_s": 0,
+            "auto_arm": True, "ramp_time_s": 0.1})
+        walker = self.start("executor", "walker", ROS_MASTER_URI=uri)
+        client = rs.OtherNode("client", CLIENT % rs.TRIPOD, ROS_MASTER_URI=uri)
+        with client:
+            self.assertEqual(client.line(), "walking")
+            core.kill()
+            self.assertIn(client.line(), ("0", "6"), "SUCCEEDED, or SKIPPED on a busy machine")
+        self.assertEqual(walker.wait(timeout=20.0), 3)
 
     def test_waits_for_a_master_and_leaves_when_asked(self):
         for program in ("executor", "simulated_robot"):

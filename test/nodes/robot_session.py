@@ -1,6 +1,8 @@
 """What the tests of executor and simulated robot share: waiting, recording, asking."""
 import math
+import os
 import subprocess
+import sys
 import threading
 import time
 
@@ -68,6 +70,69 @@ class Recorder:
     def wait_publisher(self):
         wait_for(lambda: self._subscriber.get_num_connections() > 0, 20.0,
                  "a publisher of " + self._subscriber.name)
+
+
+JOINTS = [name for leg in range(6)
+          for name in ("body_leg_%d" % leg, "leg_%d_1_2" % leg, "leg_%d_2_3" % leg)]
+
+
+class FakeRobot:
+    """Publishes joint_states: the last command, after `spoil` has had its way with it.
+
+    At 100 Hz for all joints; with `leg_by_leg` as six drivers of 20 Hz do, one leg after the other.
+    """
+
+    def __init__(self):
+        self.spoil = lambda message: message
+        self.leg_by_leg = False
+        self._turn = 0
+        self._positions = dict.fromkeys(JOINTS, 0.0)
+        self._publisher = rospy.Publisher("joint_states", JointState, queue_size=6)
+        self._subscriber = rospy.Subscriber("joint_command", JointState, self._obey,
+                                            tcp_nodelay=True)
+        self._timer = rospy.Timer(rospy.Duration(1.0 / 120.0), self._publish)
+
+    def _obey(self, message):
+        self._positions = dict(zip(message.name, message.position))
+
+    def _publish(self, _):
+        self._turn += 1
+        first = 3 * (self._turn % 6)
+        names = JOINTS[first:first + 3] if self.leg_by_leg else list(JOINTS)
+        message = JointState(name=names, position=[self._positions[j] for j in names])
+        message.header.stamp = rospy.Time.now()
+        message = self.spoil(message)
+        if message is not None:
+            self._publisher.publish(message)
+
+
+class OtherNode:
+    """Python code in a process of its own, with `rospy` and the messages; killed at the end.
+
+    What it prints comes line by line.
+    """
+
+    BEGIN = """
+import sys, rospy, actionlib
+from sensor_msgs.msg import JointState
+from hexapod_repertoire.msg import ExecuteBehaviorAction, ExecuteBehaviorGoal
+rospy.init_node(sys.argv[1])
+"""
+
+    def __init__(self, name, code, **environment):
+        self._process = subprocess.Popen(
+            [sys.executable, "-u", "-c", self.BEGIN + code, name], stdout=subprocess.PIPE,
+            universal_newlines=True, env=dict(os.environ, **environment))
+
+    def line(self):
+        return self._process.stdout.readline().strip()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._process.kill()
+        self._process.communicate()
 
 
 class Session:
