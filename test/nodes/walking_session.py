@@ -36,8 +36,8 @@ def small_repertoire(folder):
     """A repertoire file that covers half a metre around the robot; some seconds."""
     file = pathlib.Path(folder) / "small.db"
     subprocess.run(
-        [str(BINARIES / "evolve"), "--file", str(file), "--evaluations", "1500", "--seed", "1",
-         "--verify_with_ode", "false", "--resimulate", "false", "--validation_trials", "2"],
+        [str(BINARIES / "evolve"), "--file", str(file), "--evaluations", "2000", "--seed", "1",
+         "--verify_with_ode", "false", "--resimulate", "false", "--validation_trials", "4"],
         check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return file
 
@@ -49,24 +49,25 @@ class WalkingSession:
     master: its ROS_MASTER_URI is set, so start it before rospy.
     """
 
-    def __init__(self, real_time_factor=1.0, sim_time=False, settable_clock=False):
+    def __init__(self, real_time_factor=1.0, sim_time=False, settable_clock=False, nodes=NODES):
         self._folder = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self._folder.name)
         self._port = free_port()
         self.uri = f"http://127.0.0.1:{self._port}"
         self._processes = {}
-        self._sim_time, self._factor = sim_time, real_time_factor
+        self._sim_time, self._factor, self._nodes = sim_time, real_time_factor, nodes
         self._clock_file = self.folder / "clock" if settable_clock else None
         if self._clock_file:
             self._clock_file.write_bytes(bytes(8))
 
     def __enter__(self):
+        self._environment = dict(os.environ)
         os.environ.update(ROS_MASTER_URI=self.uri, ROS_IP="127.0.0.1", ROS_HOME=self._folder.name,
                           ROS_LOG_DIR=self._folder.name)
         try:
             self.start_master()
             self._set_params()
-            for node in NODES:
+            for node in self._nodes:
                 self.start(node)
         except BaseException:
             self.__exit__()
@@ -78,6 +79,8 @@ class WalkingSession:
             if name in self._processes:
                 self.kill(name)
         self._folder.cleanup()
+        os.environ.clear()
+        os.environ.update(self._environment)
 
     def start_master(self):
         """Starts the master, the same port again when it was killed."""
@@ -105,6 +108,8 @@ class WalkingSession:
             "/executor/auto_arm": True,
             "/executor/ramp_time_s": 0.3,
             "/planner/robot_config": robot_config,
+            "/planner/cmd_vel": True,
+            "/planner/cmd_vel_timeout_s": 1.0,
         }
         for key, value in values.items():
             self.set_param(key, value)

@@ -4,7 +4,12 @@ namespace hexapod {
 namespace {
 
 GoalRequest walkToRequest(const hexapod_repertoire::WalkToGoal& goal) {
-  return {goal.target_pose, goal.xy_tolerance_m, goal.yaw_tolerance_rad, goal.plan_only != 0};
+  GoalRequest request;
+  request.pose = goal.target_pose;
+  request.xy_tolerance_m = goal.xy_tolerance_m;
+  request.yaw_tolerance_rad = goal.yaw_tolerance_rad;
+  request.plan_only = goal.plan_only != 0;
+  return request;
 }
 
 hexapod_repertoire::WalkToResult walkToResult(const WalkReport& report) {
@@ -29,7 +34,9 @@ hexapod_repertoire::WalkToFeedback walkToFeedback(const WalkProgress& progress) 
 }
 
 GoalRequest moveBaseRequest(const move_base_msgs::MoveBaseGoal& goal) {
-  return {goal.target_pose, 0.0, 0.0, false};
+  GoalRequest request;
+  request.pose = goal.target_pose;
+  return request;
 }
 
 move_base_msgs::MoveBaseResult moveBaseResult(const WalkReport&) { return {}; }

@@ -44,6 +44,7 @@ GoalExaminer::GoalExaminer(const Means& means)
 
 GoalExaminer::Examination GoalExaminer::examine(const GoalRequest& request,
                                                 const Stop& stop) const {
+  if (request.twist) return examineTwist(stop);
   Examination examination;
   auto refused = readGoal(request, stop, examination.goal);
   if (!refused && !request.plan_only) refused = askPlayer(stop);
@@ -57,6 +58,14 @@ GoalExaminer::Examination GoalExaminer::examine(const GoalRequest& request,
     refused = refusal(GoalCode::POSE_LOST, robot.problem);
   }
   examination.report = *refused;
+  return examination;
+}
+
+GoalExaminer::Examination GoalExaminer::examineTwist(const Stop& stop) const {
+  Examination examination;
+  auto refused = askPlayer(stop);
+  if (!refused) refused = askRepertoire(stop);
+  examination.report = refused ? *refused : refusal(GoalCode::SUCCEEDED, "Walking by velocity.");
   return examination;
 }
 
@@ -99,19 +108,24 @@ GoalExaminer::Refusal GoalExaminer::askPlayer(const Stop& stop) const {
   return refusal(GoalCode::EXECUTOR_NOT_READY, why);
 }
 
+GoalExaminer::Refusal GoalExaminer::askRepertoire(const Stop& stop) const {
+  awaitAtStart([this] { return means_.repertoire.planner() != nullptr; }, stop);
+  if (means_.repertoire.planner()) return std::nullopt;
+  return refusal(GoalCode::NO_REPERTOIRE,
+                 "No repertoire has arrived on the topic repertoire: start the learner or a "
+                 "repertoire_server.");
+}
+
 void GoalExaminer::awaitAtStart(const std::function<bool()>& there, const Stop& stop) const {
   means_.clock.waitUntil(start_ns_ + kStarting_ns, [&] { return there() || stop(); });
 }
 
 void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
-  awaitAtStart([this] { return means_.repertoire.planner() != nullptr; }, stop);
-  const auto planner = means_.repertoire.planner();
-  if (!planner) {
-    examination.report = refusal(GoalCode::NO_REPERTOIRE,
-                                 "No repertoire has arrived on the topic repertoire: start the "
-                                 "learner or a repertoire_server.");
+  if (const auto refused = askRepertoire(stop)) {
+    examination.report = *refused;
     return;
   }
+  const auto planner = means_.repertoire.planner();
   PlanRequest request;
   request.world_from_start = examination.start;
   request.world_from_goal = examination.goal.pose;

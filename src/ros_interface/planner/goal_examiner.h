@@ -47,7 +47,9 @@ class GoalExaminer {
   using Refusal = std::optional<WalkReport>;
 
   Refusal readGoal(const GoalRequest& request, const Stop& stop, WalkGoal& goal) const;
+  Examination examineTwist(const Stop& stop) const;
   Refusal askPlayer(const Stop& stop) const;
+  Refusal askRepertoire(const Stop& stop) const;
   void plan(const Stop& stop, Examination& examination) const;
   void awaitAtStart(const std::function<bool()>& there, const Stop& stop) const;
 

@@ -33,6 +33,9 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_}),
       actions_(node, goal_queue_, walker_),
       services_(node, private_node, goal_queue_, walker_),
+      cmd_vel_(options.cmd_vel ? std::make_unique<TwistDoor>(node, goal_queue_, clock_, walker_,
+                                                             options.cmd_vel_timeout_s)
+                               : nullptr),
       goal_spinner_(1, &goal_queue_),
       repertoire_subscriber_(node.subscribe(names::kRepertoire, 1, &PlannerNode::receive, this)),
       next_clock_warning_ns_(clock_.steadyNow_ns() + kClockWarnPeriod_ns) {

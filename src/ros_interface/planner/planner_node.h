@@ -9,6 +9,7 @@
 #include <tf2_ros/transform_listener.h>
 
 #include <atomic>
+#include <memory>
 #include <string>
 
 #include "ros_interface/common/clock.h"
@@ -18,6 +19,7 @@
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/service_doors.h"
 #include "ros_interface/planner/tf_pose_source.h"
+#include "ros_interface/planner/twist_door.h"
 #include "ros_interface/planner/walk_display.h"
 #include "ros_interface/planner/walker.h"
 
@@ -59,6 +61,7 @@ class PlannerNode {
   ros::CallbackQueue goal_queue_;
   ActionDoors actions_;
   ServiceDoors services_;
+  std::unique_ptr<TwistDoor> cmd_vel_;  // by option
   ros::AsyncSpinner goal_spinner_;
   ros::Subscriber repertoire_subscriber_;
   std::int64_t next_clock_warning_ns_;

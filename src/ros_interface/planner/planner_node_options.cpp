@@ -19,6 +19,13 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
   all.push_back(option("pose_settle_s", options.pose_settle_s, "s",
                        "The pose is read this long after the last command of a behaviour.", 0.0,
                        60.0));
+  all.push_back(option("cmd_vel", options.cmd_vel,
+                       "Walk by velocities on the topic cmd_vel. A new velocity acts when the "
+                       "behaviour under way has ended, a zero one at once."));
+  all.push_back(option("cmd_vel_timeout_s", options.cmd_vel_timeout_s, "s",
+                       "The robot comes to rest this long after the last velocity; shorter than a "
+                       "behaviour, one message starts it and breaks it off.",
+                       0.1, 60.0));
   return all;
 }
 

@@ -18,6 +18,8 @@ struct PlannerNodeOptions {
   double tf_timeout_s = 0.5;
   double pose_timeout_s = 1.0;
   double pose_settle_s = 0.15;
+  bool cmd_vel = false;
+  double cmd_vel_timeout_s = 4.0;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

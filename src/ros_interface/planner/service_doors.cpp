@@ -69,8 +69,11 @@ bool ServiceDoors::goTo(hexapod_repertoire::GoTo::Request& request,
     answer->ended.set_value(report);
     if (!*was_accepted) answer->accepted.set_value(report);
   };
-  response.goal_id = walker_.submit(
-      {request.target_pose, request.xy_tolerance_m, request.yaw_tolerance_rad, false}, listener);
+  GoalRequest asked;
+  asked.pose = request.target_pose;
+  asked.xy_tolerance_m = request.xy_tolerance_m;
+  asked.yaw_tolerance_rad = request.yaw_tolerance_rad;
+  response.goal_id = walker_.submit(asked, listener);
   // Both come: a goal is always answered.
   WalkReport report = accepted.get();
   response.accepted = *was_accepted;
@@ -81,7 +84,10 @@ bool ServiceDoors::goTo(hexapod_repertoire::GoTo::Request& request,
 
 bool ServiceDoors::makePlan(nav_msgs::GetPlan::Request& request,
                             nav_msgs::GetPlan::Response& response) {
-  const GoalRequest asked{request.goal, request.tolerance, 0.0, true};
+  GoalRequest asked;
+  asked.pose = request.goal;
+  asked.xy_tolerance_m = request.tolerance;
+  asked.plan_only = true;
   const auto stop = [this] { return walker_.isClosed(); };
   // As move_base: an empty start means where the robot stands.
   const auto examination = request.start.header.frame_id.empty()
@@ -103,7 +109,9 @@ bool ServiceDoors::cancel(std_srvs::Trigger::Request&, std_srvs::Trigger::Respon
 }
 
 void ServiceDoors::simpleGoal(const geometry_msgs::PoseStamped::ConstPtr& message) {
-  walker_.submit({*message, 0.0, 0.0, false}, {});
+  GoalRequest asked;
+  asked.pose = *message;
+  walker_.submit(asked, {});
 }
 
 }  // namespace hexapod

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "hexapod_repertoire/GoTo.h"
@@ -17,12 +18,21 @@ namespace hexapod {
 /// The codes that goals end with, wherever they came from.
 using GoalCode = hexapod_repertoire::GoTo::Response;
 
+/// A velocity in the plane, of base_footprint.
+struct Twist {
+  double x_m_per_s = 0.0;
+  double y_m_per_s = 0.0;
+  double yaw_rad_per_s = 0.0;
+};
+
 /// A goal as a client sent it.
 struct GoalRequest {
   geometry_msgs::PoseStamped pose;
   double xy_tolerance_m = 0.0;     ///< 0: the node's default
   double yaw_tolerance_rad = 0.0;  ///< 0: the node's default; negative: any heading
   bool plan_only = false;
+  /// Instead of a pose: walk as it says until it says nothing any more. Asked often.
+  std::function<std::optional<Twist>()> twist;
 };
 
 /// A goal that was examined: in the global frame.

@@ -4,6 +4,8 @@
 
 #include <exception>
 
+#include "ros_interface/planner/twist_walk.h"
+
 namespace hexapod {
 namespace {
 
@@ -89,6 +91,10 @@ void Walker::walkToGoals() {
 }
 
 WalkReport Walker::walkTo(OpenGoal& goal) {
+  if (goal.request.twist) {
+    return walkByTwist({means_.player, [this] { return book_.newerIsNext(); }}, goal,
+                       *means_.repertoire.planner());
+  }
   const WalkRun::Means means{means_.options, means_.clock,
                              means_.poses,   means_.player,
                              means_.watcher, [this] { return book_.newerIsNext(); }};

@@ -15,6 +15,7 @@ namespace {
 hexapod_repertoire::Repertoire arcMessage() {
   Repertoire repertoire = arcRepertoire(300, 1);
   repertoire.run_id = "run";
+  repertoire.behavior_duration_s = 3.9;
   return toMsg(repertoire, ros::Time(1.0));
 }
 
@@ -220,6 +221,41 @@ TEST_F(WalkerTest, LeavingAnswersEverybodyAndBeginsNothing) {
   EXPECT_EQ(late.waitForEnd().code, GoalCode::SHUTDOWN);
   walker_.reset();
   EXPECT_EQ(player_.begun, 1);
+}
+
+TEST_F(WalkerTest, WalksByVelocityUntilItEnds) {
+  std::atomic<int> left{4};
+  GoalRequest request;
+  request.twist = [&]() -> std::optional<Twist> {
+    if (player_.begun >= left) return std::nullopt;
+    return Twist{0.1, 0.0, 0.1};
+  };
+  const WalkReport report = walk(request);
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_EQ(player_.begun, 4);
+  // Ahead and to the left, as the velocity says.
+  EXPECT_GT(poses_.latest().pose->x_m, 0.1);
+  EXPECT_GT(poses_.latest().pose->yaw_rad, 0.2);
+}
+
+TEST_F(WalkerTest, AVelocityOfZeroBreaksOffAndANewerGoalTakesOver) {
+  std::atomic<bool> moves{true};
+  GoalRequest request;
+  request.twist = [&] { return moves ? std::optional<Twist>(Twist{0.1, 0.0, 0.0}) : std::nullopt; };
+  player_.held = true;
+  Client client;
+  submit(client, request);
+  while (player_.begun == 0) std::this_thread::yield();
+  moves = false;
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::SUCCEEDED);
+  EXPECT_EQ(distance(*poses_.latest().pose, Pose2()), 0.0);
+  player_.held = false;
+  moves = true;
+  Client overtaken;
+  submit(overtaken, request);
+  overtaken.waitForAcceptance();
+  EXPECT_EQ(walk(goalAt(0.5, 0.2, 0.5)).code, GoalCode::SUCCEEDED);
+  EXPECT_EQ(overtaken.waitForEnd().code, GoalCode::PREEMPTED);
 }
 
 // A planner that has just started.
