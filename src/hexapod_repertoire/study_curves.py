@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter, StrMethodFormatter
 
 from hexapod_repertoire.study_claims import (
-    BR, ERROR, NEAREST, SPARSENESS, in_unit, values_of)
+    BR, END, ERROR, NEAREST, SPARSENESS, Claim, Number, in_unit, values_of)
 from hexapod_repertoire.study_data import Study, label_of
 from hexapod_repertoire.study_paper import THEORETICAL_SPARSENESS_CM
 from hexapod_repertoire.study_statistics import quartile_lines, quartiles
@@ -16,6 +16,7 @@ POINTS = 400
 # Errors below this are drawn as this [deg]: the axis is logarithmic.
 SMALLEST_ERROR_DEG = 0.01
 DEFAULT_TARGETS = 100
+MOST_TARGETS = 400
 
 
 def curve(study: Study, repertoire: str, column: str, whens: np.ndarray,
@@ -155,6 +156,22 @@ def extrapolate(study: Study) -> Optional[dict]:
     return {int(targets): (whens * targets / of_the_runs,
                            median_cm * 100.0 * sparseness_m / median_cm[-1])
             for targets, sparseness_m in study.k_means}
+
+
+def _times_of_br_with_most_targets(study: Study, evaluations: int) -> np.ndarray:
+    """The extrapolated sparseness over that of each run of BR-Evolution."""
+    curves = extrapolate(study) or {}
+    if MOST_TARGETS not in curves:
+        return np.empty(0)
+    whens, sparseness_cm = curves[MOST_TARGETS]
+    return (np.interp(evaluations, whens, sparseness_cm)
+            / values_of(study, BR, SPARSENESS, evaluations))
+
+
+# What figure 5, right, shows: no number of targets is denser than BR-Evolution at the end.
+EXTRAPOLATION = Claim(
+    f"sparseness of nearest with {MOST_TARGETS} targets, extrapolated, over that of BR-Evolution",
+    "times", Number("> 1", "above", 1.0), END, [BR, NEAREST], _times_of_br_with_most_targets)
 
 
 def draw_extrapolation(study: Study, path: pathlib.Path) -> Optional[str]:

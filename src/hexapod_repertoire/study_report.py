@@ -12,7 +12,8 @@ import numpy as np
 from hexapod_repertoire.study_claims import (
     EARLY, END, ERROR, RULES, SPARSENESS, Row, other_rows, reached, row_of_claim, row_of_test,
     row_of_theory, values_of)
-from hexapod_repertoire.study_curves import draw_extrapolation, draw_theory, draw_variation
+from hexapod_repertoire.study_curves import (
+    EXTRAPOLATION, draw_extrapolation, draw_theory, draw_variation)
 from hexapod_repertoire.study_data import Run, Study, label_of
 from hexapod_repertoire.study_files import StudyError, read_study
 from hexapod_repertoire.study_maps import draw_maps_along_run, draw_typical_runs
@@ -222,7 +223,8 @@ def write_report(study: Study, output: pathlib.Path) -> None:
     output.mkdir(parents=True, exist_ok=True)
     of_the_paper = ([row_of_claim(study, claim) for claim in CLAIMS]
                     + [row_of_test(study, test) for test in TESTS]
-                    + [row_of_theory(study, *item) for item in THEORETICAL_SPARSENESS_CM.items()])
+                    + [row_of_theory(study, *item) for item in THEORETICAL_SPARSENESS_CM.items()]
+                    + [row_of_claim(study, EXTRAPOLATION)])
     others = other_rows(study)
     _write_csv(output / "table.csv", of_the_paper + others)
     lines = ["# The paper's study, reproduced", "",

@@ -8,7 +8,7 @@ from matplotlib.colors import to_rgb
 import made_study
 from hexapod_repertoire.pictures import arc_heading
 from hexapod_repertoire.study_claims import BR, END, Number, verdict_of_test
-from hexapod_repertoire.study_curves import extrapolate
+from hexapod_repertoire.study_curves import EXTRAPOLATION, extrapolate
 from hexapod_repertoire.study_data import History
 from hexapod_repertoire.study_files import read_study
 from hexapod_repertoire.study_maps import SHADES, region_outline
@@ -118,6 +118,16 @@ def test_an_extrapolation_ends_at_the_theoretical_value_after_as_many_times_the_
         assert sparseness_cm[-1] == pytest.approx(end_cm)
         # A tenth of the way it is three times as sparse, as the runs with 100 targets are.
         assert np.interp(whens[-1] / 10.0, whens, sparseness_cm) == pytest.approx(3.0 * end_cm)
+
+
+def test_the_most_targets_are_compared_at_the_evaluations_of_br_evolution(tmp_path):
+    made_study.write_study(tmp_path, [1, 2, 3], END, ["targets", "br_evolution"])
+    ratios = EXTRAPOLATION.measure(read_study(tmp_path), END)
+    # A quarter of the way to its 1.57 cm, beside runs of 2 cm and a little.
+    growth = made_study.growth(END // 4, END)
+    expected = [1.57 * growth / (100.0 * made_study.value_at_end("br_evolution", 0, seed))
+                for seed in (1, 2, 3)]
+    assert sorted(ratios) == pytest.approx(sorted(expected), rel=0.02)
 
 
 def crossing(folder):
