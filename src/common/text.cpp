@@ -40,7 +40,7 @@ std::string fixedText(double number, int decimals) {
 std::string exactText(double number) {
   // All that 15 digits hold reads back from them, and trailing zeros are not written.
   for (const int digits : {15, 16}) {
-    const std::string text = numberText(number, digits);
+    std::string text = numberText(number, digits);
     if (doubleFromText(text) == number) return text;
   }
   return numberText(number, std::numeric_limits<double>::max_digits10);

@@ -32,7 +32,8 @@ std::string describe(const LearningStatus& status) {
   if (status.last.evaluations > 0) {
     line += ", sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) +
             " cm, orientation error " +
-            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg";
+            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) +
+            " deg where it learned";
   }
   if (done && status.last.held_out) {
     line += " (" + fixedText(100.0 * status.last.held_out->sparseness_m, 2) + " cm, " +

@@ -7,8 +7,8 @@
 namespace hexapod {
 
 /// A line for a person: "Learning: 2000 of 20000 evaluations, 512/s, 35 s left, 120 entries,
-/// sparseness 4.21 cm, orientation error 2.31 deg; 2500 simulations, 130 gaits known." The same in
-/// every locale.
+/// sparseness 4.21 cm, orientation error 2.31 deg where it learned; 2500 simulations, 130 gaits
+/// known." The same in every locale.
 std::string describe(const LearningStatus& status);
 
 /// Of the phase under way, 0 .. 1: the part of the budget that is used up, or of the entries that

@@ -35,7 +35,7 @@ LearningStatus validating(std::int64_t validated) {
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
             "Learning: 2000 of 4000 evaluations, 512/s, 4 s left, 120 entries, sparseness 4.21 cm, "
-            "orientation error 2.31 deg; 2500 simulations, 130 gaits known.");
+            "orientation error 2.31 deg where it learned; 2500 simulations, 130 gaits known.");
   EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 entries.");
 }
 
