@@ -9,7 +9,9 @@ import rospy
 import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
+from hexapod_repertoire.msg import Repertoire
 from nav_msgs.msg import Odometry
+from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import JointState
 from std_srvs.srv import SetBool, Trigger
 
@@ -56,6 +58,14 @@ class SimulatedRobot(unittest.TestCase):
                 if "simulation" in status.name:
                     return {pair.key: pair.value for pair in status.values}
         return {}
+
+    def test_says_when_the_repertoire_is_of_another_robot(self):
+        logs = rs.Recorder("/rosout", Log)
+        publisher = rospy.Publisher("repertoire", Repertoire, queue_size=1)
+        rs.wait_for(lambda: publisher.get_num_connections() > 0, 10.0, "the simulated robot")
+        publisher.publish(Repertoire(run_id="a run", robot_id="another"))
+        rs.wait_for(lambda: any("learned for the robot another" in m.msg for m in logs.all()), 10.0,
+                    "the error")
 
     def test_names_its_joints_as_the_description_and_stands(self):
         self.assertEqual(self.joints.next().name, JOINTS)

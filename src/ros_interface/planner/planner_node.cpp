@@ -48,6 +48,7 @@ PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {
   End end = End::kAskedToLeave;
   while (!leave && ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
+    poses_.latest();  // keeps an eye on it
     updater_.update();
     watchClock();
     if (!master_.masterIsLost()) continue;

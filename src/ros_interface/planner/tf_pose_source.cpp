@@ -32,11 +32,13 @@ TfPoseSource::TfPoseSource(const PlannerNodeOptions& options, const Clock& clock
 TfPoseSource::Seen TfPoseSource::look() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   const std::int64_t now_ns = clock_.steadyNow_ns();
+  const bool watched = now_ns - looked_ns_ <= timeout_ns() / 2;
+  looked_ns_ = now_ns;
   try {
     const auto transform =
         buffer_.lookupTransform(options_.global_frame, options_.base_frame, ros::Time(0));
     if (!seen_.pose || transform.header.stamp != seen_.stamp) {
-      const bool changes = seen_.pose.has_value();
+      const bool changes = seen_.pose && watched;
       seen_ = {planarPose(transform.transform), transform.header.stamp, now_ns, changes, false, ""};
     }
   } catch (const tf2::TransformException& error) {
@@ -68,7 +70,9 @@ PoseReading TfPoseSource::readingOf(const Seen& seen) const {
 PoseReading TfPoseSource::latest() const { return readingOf(look()); }
 
 PoseReading TfPoseSource::robotPose(const Stop& stop) const {
-  Seen seen;
+  Seen seen = look();
+  // Silence was waited for already.
+  if (seen.changes && !isFresh(seen)) return readingOf(seen);
   clock_.waitUntil(clock_.steadyNow_ns() + timeout_ns(), [&] {
     seen = look();
     return isFresh(seen) || stop();

@@ -20,7 +20,8 @@ namespace hexapod {
 /// pose has stopped coming is emptied: tf refuses what is older than what it has.
 class TfPoseSource : public PoseSource {
  public:
-  /// Both must outlive it.
+  /// Both must outlive it. Whoever owns it asks for latest() some times a second, so that the pose
+  /// is watched: nobody else knows how old a stamp is.
   TfPoseSource(const PlannerNodeOptions& options, const Clock& clock, tf2::BufferCore& buffer);
 
   PoseReading latest() const override;
@@ -33,7 +34,7 @@ class TfPoseSource : public PoseSource {
     std::optional<Pose2> pose;  ///< the newest that ever came
     ros::Time stamp;
     std::int64_t changed_ns = 0;  ///< when the stamp was first seen, steady time
-    bool changes = false;         ///< the stamp was seen to change
+    bool changes = false;         ///< it was seen to change from the one before
     bool emptied = false;         ///< the buffer was, since
     std::string problem;          ///< why there is no newer one
   };
@@ -48,7 +49,8 @@ class TfPoseSource : public PoseSource {
   const Clock& clock_;
   tf2::BufferCore& buffer_;
   mutable std::mutex mutex_;
-  mutable Seen seen_;  // guarded by mutex_
+  mutable Seen seen_;                   // guarded by mutex_
+  mutable std::int64_t looked_ns_ = 0;  // guarded by mutex_; steady
 };
 
 }  // namespace hexapod

@@ -41,6 +41,7 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
       time_ns_(static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
       steady_start_ns_(steadyNow_ns()),
       commands_(node, robot, std::llround(options.command_latency_s * 1e9)),
+      repertoire_check_(node, robot.digest),
       publisher_(node, robot, options.publish_clock),
       reset_publisher_(node.advertise<std_msgs::Header>(names::kRobotReset, 1)),
       reset_service_(private_node.advertiseService("reset", &SimulatedRobotNode::onReset, this)),

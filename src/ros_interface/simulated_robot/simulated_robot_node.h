@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "robot/robot_description.h"
+#include "ros_interface/simulated_robot/repertoire_check.h"
 #include "ros_interface/simulated_robot/robot_commands.h"
 #include "ros_interface/simulated_robot/robot_publisher.h"
 #include "ros_interface/simulated_robot/simulated_robot_options.h"
@@ -53,6 +54,7 @@ class SimulatedRobotNode {
   Verdict verdict_ = Verdict::kWalked;
   std::uint64_t falls_ = 0;
   RobotCommands commands_;
+  RepertoireCheck repertoire_check_;
   RobotPublisher publisher_;
   ros::Publisher reset_publisher_;
   ros::ServiceServer reset_service_;

@@ -41,6 +41,13 @@ class TfPoseSourceTest : public testing::Test {
     EXPECT_NEAR(reading.pose->y_m, kRobot.y_m, 1e-9);
     EXPECT_NEAR(reading.pose->yaw_rad, kRobot.yaw_rad, 1e-9);
   }
+  // What the node does.
+  void watch(std::int64_t ns) {
+    for (const std::int64_t end_ns = clock_.steadyNow_ns() + ns; clock_.steadyNow_ns() < end_ns;) {
+      clock_.pass(kSecond_ns / 50);
+      poses_.latest();
+    }
+  }
   double steady_s() const { return 1e-9 * static_cast<double>(clock_.steadyNow_ns()); }
 
   static constexpr Pose2 kRobot{1.5, -0.5, 2.0};
@@ -63,6 +70,7 @@ TEST_F(TfPoseSourceTest, APoseThatStoppedComingIsLostInBoundedTimeWhateverTheClo
   for (const double rate : {1.0, 0.0}) {
     for (const double set_s : {0.0, 3600.0, 1e6}) {
       publishes_ = true;
+      watch(kSecond_ns / 5);
       expectRobot(poses_.robotPose(never_));
       publishes_ = false;
       clock_.setRate(rate);
@@ -75,6 +83,24 @@ TEST_F(TfPoseSourceTest, APoseThatStoppedComingIsLostInBoundedTimeWhateverTheClo
       EXPECT_LE(steady_s() - begin_s, 2.2);
     }
   }
+}
+
+TEST_F(TfPoseSourceTest, AStampThatChangedWhileNobodyLookedProvesNothing) {
+  expectRobot(poses_.robotPose(never_));
+  clock_.pass(kSecond_ns / 10);
+  publishes_ = false;
+  clock_.pass(600 * kSecond_ns);
+  EXPECT_FALSE(poses_.latest().pose);
+  EXPECT_FALSE(poses_.robotPose(never_).pose);
+}
+
+TEST_F(TfPoseSourceTest, ASilenceThatWasWaitedForIsToldAtOnce) {
+  watch(kSecond_ns);
+  publishes_ = false;
+  watch(2 * kSecond_ns);
+  const double begin_s = steady_s();
+  EXPECT_FALSE(poses_.robotPose(never_).pose);
+  EXPECT_EQ(steady_s(), begin_s);
 }
 
 TEST_F(TfPoseSourceTest, AClockThatIsSetLosesNoPose) {
