@@ -14,7 +14,7 @@ FACTOR = 4.0  # simulated time
 ANSWER_TIMEOUT_S = 30.0
 # After time stood still or jumped, a client is to hear of it so soon; 2 s is the promise, the rest
 # is for a busy machine.
-TOLD_S = 4.0
+TOLD_S = 8.0
 
 
 class Disturbance:

@@ -76,6 +76,7 @@ class Storm:
         """Lets so many events happen, then waits for the answers."""
         sent = 0
         while sent < events:
+            self.client.arm_after_a_fault()  # of a machine that is too busy
             self.event()
             sent = sum(self.counts.values())
             lull = self.random.random() < LULLS

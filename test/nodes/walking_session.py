@@ -107,6 +107,9 @@ class WalkingSession:
             "/executor/robot_config": robot_config,
             "/executor/auto_arm": True,
             "/executor/ramp_time_s": 0.3,
+            # A busy machine is no fault of the robot.
+            "/executor/feedback_timeout_s": 1.5,
+            "/executor/tracking_timeout_s": 1.5,
             "/planner/robot_config": robot_config,
             "/planner/cmd_vel": True,
             "/planner/cmd_vel_timeout_s": 1.0,

@@ -4,6 +4,7 @@
 #include <ros/callback_queue_interface.h>
 #include <ros/node_handle.h>
 
+#include <map>
 #include <string>
 #include <utility>
 
@@ -15,7 +16,9 @@ namespace hexapod {
 /// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
 ///   not RECALLED with an empty result, whose code 0 reads as success;
 /// - a cancel that was stamped before the clock was set back cancels no later goals;
-/// - statuses of goals long past do not pile up while time stands still.
+/// - how a goal ended stays in the status for 5 s of steady time: a clock that is set makes no
+/// client
+///   lose its goal, one that stands makes no list grow.
 /// Destroyed by one thread after the last goal has ended; else from any thread.
 template <class Action>
 class SteadyActionServer : public actionlib::ActionServerBase<Action> {
@@ -43,7 +46,6 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
   static constexpr std::uint32_t kQueueSize = 50;
   static constexpr double kStatusPeriod_s = 0.2;
   static constexpr double kKeepEnded_s = 5.0;
-  static constexpr std::size_t kMostStatuses = 64;
 
   void initialize() override {
     result_publisher_ = node_.template advertise<typename Base::ActionResult>("result", kQueueSize);
@@ -105,27 +107,32 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
     for (const Tracker& tracker : this->status_list_)
       message.status_list.push_back(tracker.status_);
     status_publisher_.publish(message);
-    forgetEnded(message.header.stamp);
+    forgetEnded();
   }
 
-  // The oldest come first. A goal somebody still holds a handle of is not forgotten.
-  void forgetEnded(const ros::Time& now) {
-    std::size_t left = this->status_list_.size();
+  // A goal somebody still holds a handle of is not forgotten.
+  void forgetEnded() {
+    const ros::SteadyTime now = ros::SteadyTime::now();
     for (auto tracker = this->status_list_.begin(); tracker != this->status_list_.end();) {
-      const ros::Time ended = tracker->handle_destruction_time_;
-      const bool over = tracker->handle_tracker_.expired();
-      const bool old = !ended.isZero() && ended + ros::Duration(kKeepEnded_s) < now;
-      if (over && (old || left > kMostStatuses)) {
-        tracker = this->status_list_.erase(tracker);
-        --left;
-      } else {
+      const std::string id = tracker->status_.goal_id.id;
+      if (!tracker->handle_tracker_.expired()) {
+        over_since_.erase(id);
         ++tracker;
+        continue;
       }
+      const ros::SteadyTime since = over_since_.emplace(id, now).first->second;
+      if ((now - since).toSec() <= kKeepEnded_s) {
+        ++tracker;
+        continue;
+      }
+      tracker = this->status_list_.erase(tracker);
+      over_since_.erase(id);
     }
   }
 
   ros::NodeHandle node_;
   Result cancelled_early_;
+  std::map<std::string, ros::SteadyTime> over_since_;  // by goal id; guarded by lock_
   ros::Publisher status_publisher_;
   ros::Publisher result_publisher_;
   ros::Publisher feedback_publisher_;
