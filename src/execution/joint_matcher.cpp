@@ -5,8 +5,8 @@
 
 namespace hexapod {
 
-JointMatcher::JointMatcher(const std::vector<std::string>& names, OtherJoints others)
-    : names_(names), others_(others), candidate_(names.size()), seen_(names.size()) {
+JointMatcher::JointMatcher(const std::vector<std::string>& names)
+    : names_(names), candidate_(names.size()), seen_(names.size()) {
   for (std::size_t j = 0; j < names.size(); ++j) {
     if (index_.emplace(names[j], j).second) continue;
     throw std::invalid_argument("Joint '" + names[j] + "' occurs twice; names must be unique.");
@@ -22,7 +22,6 @@ bool JointMatcher::match(const std::vector<std::string>& names, const std::vecto
   for (std::size_t i = 0; i < names.size(); ++i) {
     const auto found = index_.find(names[i]);
     if (found == index_.end()) {
-      if (others_ == OtherJoints::kIgnore) continue;
       return refuse("Joint '" + names[i] + "' is not one of the robot's.");
     }
     const std::size_t j = found->second;

@@ -9,17 +9,12 @@ namespace hexapod {
 
 /// Brings named joint values into the order of the robot description, or says what is wrong.
 ///
-/// The last check before numbers from a wire meet physics or a feedback loop: every joint exactly
-/// once, every value finite. One owner; not thread-safe.
+/// The last check before numbers from a wire meet physics: every joint exactly once and no other,
+/// every value finite. One owner; not thread-safe.
 class JointMatcher {
  public:
-  enum class OtherJoints {
-    kRefuse,  ///< a message names the robot's joints and no others
-    kIgnore   ///< joints of other devices on the same topic are skipped
-  };
-
   /// Throws std::invalid_argument when a name occurs twice.
-  JointMatcher(const std::vector<std::string>& names, OtherJoints others);
+  explicit JointMatcher(const std::vector<std::string>& names);
 
   /// True when the message fits; its values are then in values(), else problem() is a sentence.
   bool match(const std::vector<std::string>& names, const std::vector<double>& values);
@@ -33,7 +28,6 @@ class JointMatcher {
 
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::size_t> index_;
-  OtherJoints others_;
   std::vector<double> candidate_;
   std::vector<bool> seen_;
   std::vector<double> values_;

@@ -11,13 +11,13 @@ namespace {
 const std::vector<std::string> kNames = {"hip", "knee", "ankle"};
 
 TEST(JointMatcher, OrdersByName) {
-  JointMatcher matcher(kNames, JointMatcher::OtherJoints::kRefuse);
+  JointMatcher matcher(kNames);
   ASSERT_TRUE(matcher.match({"ankle", "hip", "knee"}, {3.0, 1.0, 2.0}));
   EXPECT_EQ(matcher.values(), (std::vector<double>{1.0, 2.0, 3.0}));
 }
 
 TEST(JointMatcher, SaysWhatIsWrongAndKeepsTheLastGoodValues) {
-  JointMatcher matcher(kNames, JointMatcher::OtherJoints::kRefuse);
+  JointMatcher matcher(kNames);
   ASSERT_TRUE(matcher.match(kNames, {1.0, 2.0, 3.0}));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const struct {
@@ -39,15 +39,8 @@ TEST(JointMatcher, SaysWhatIsWrongAndKeepsTheLastGoodValues) {
   }
 }
 
-TEST(JointMatcher, SkipsJointsOfOtherDevicesWhenToldTo) {
-  JointMatcher matcher(kNames, JointMatcher::OtherJoints::kIgnore);
-  ASSERT_TRUE(matcher.match({"camera", "ankle", "hip", "knee"}, {9.0, 3.0, 1.0, 2.0}));
-  EXPECT_EQ(matcher.values(), (std::vector<double>{1.0, 2.0, 3.0}));
-}
-
 TEST(JointMatcher, WantsUniqueNames) {
-  EXPECT_THROW(JointMatcher({"hip", "hip"}, JointMatcher::OtherJoints::kRefuse),
-               std::invalid_argument);
+  EXPECT_THROW(JointMatcher({"hip", "hip"}), std::invalid_argument);
 }
 
 }  // namespace

@@ -62,13 +62,13 @@ void ExecutorReports::poll(const ExecutorStatus& status) {
   if (changed) logChange(before);
   if (changed || now_s >= next_state_s_) {
     publishState();
+    updater_.force_update();  // its own timer is ROS time, which may be set or stand still
     next_state_s_ = now_s + kStatePeriod_s;
   }
   watchCommandTopics(now_s);
   watchFeedback();
   watchClock(now_s);
   watchPriority();
-  updater_.update();
 }
 
 void ExecutorReports::publishState() {

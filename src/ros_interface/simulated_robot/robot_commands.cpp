@@ -19,7 +19,7 @@ constexpr std::int64_t kLongestPeriod_ns = 200'000'000;
 
 RobotCommands::RobotCommands(ros::NodeHandle& node, const RobotDescription& robot,
                              std::int64_t latency_ns)
-    : matcher_(robot.jointNames(), JointMatcher::OtherJoints::kRefuse), schedule_(latency_ns) {
+    : matcher_(robot.jointNames()), schedule_(latency_ns) {
   for (const Joint* joint : robot.joints()) joints_.push_back(*joint);
   subscriber_ = node.subscribe(names::kJointCommand, kQueueSize, &RobotCommands::onCommand, this,
                                ros::TransportHints().tcpNoDelay());
