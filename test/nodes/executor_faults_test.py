@@ -119,19 +119,21 @@ class ExecutorFaults(unittest.TestCase):
         os.kill(pid, signal.SIGSTOP)
         try:
             stopped_ns = rospy.Time.now().to_nsec()
-            rs.wait_for(lambda: rospy.Time.now().to_nsec() > stopped_ns + 200_000_000, 5.0, "200 ms")
+            rs.wait_for(lambda: rospy.Time.now().to_nsec() > stopped_ns + 10**9, 5.0, "a second")
         finally:
             os.kill(pid, signal.SIGCONT)
         result = self.session.result(handle)
         self.assertEqual(result.code, ExecuteBehaviorResult.SKIPPED, result.message)
-        self.assertGreater(result.skipped, 3)
+        self.assertGreater(result.skipped, 30)
         self.assertIn("%d of its 130 commands" % result.skipped, result.message)
         stamps = [rs.stamp_ns(m) for m in self.session.commands.all()]
         gaps = [b - a for a, b in zip(stamps, stamps[1:])]
-        self.assertGreaterEqual(max(gaps), 5 * rs.PERIOD_NS)
+        self.assertGreaterEqual(max(gaps), 30 * rs.PERIOD_NS)
         self.assertEqual({gap % rs.PERIOD_NS for gap in gaps}, {0})
         self.assertGreater(min(gaps), 0)
-        self.assertGreater(self.session.states.next().skipped, 3)
+        self.assertGreater(self.session.states.next().skipped, 30)
+        state = {v.key: v.value for v in diagnostic(self.diagnostics, "executor: state").values}
+        self.assertGreater(float(state["Largest lateness [ms]"]), 900.0)
 
     def test_a_second_publisher_of_commands_is_an_error(self):
         publisher = rospy.Publisher("joint_command", JointState, queue_size=1)
