@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
+#include <sched.h>
 #include <signal.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -31,6 +32,8 @@ class Child {
     if (pid_ < 0) throw std::runtime_error("Cannot start " + command[0] + ".");
     if (pid_ > 0) return;
     prctl(PR_SET_PDEATHSIG, SIGKILL);
+    const sched_param ordinary{};  // whatever priority this process has
+    sched_setscheduler(0, SCHED_OTHER, &ordinary);
     dup2(open("/dev/null", O_WRONLY), STDOUT_FILENO);  // standard output is the report
     execvp(words[0], words.data());
     _exit(127);

@@ -3,18 +3,22 @@
 #include <ros/console.h>
 #include <std_srvs/Trigger.h>
 
+#include "ros_interface/common/realtime.h"
+
 namespace hexapod {
 namespace {
 
 constexpr char kTopic[] = "e_stop";
 constexpr char kService[] = "stop";
 constexpr std::uint32_t kQueueSize = 10;
+// How often the thread looks whether it is to leave.
+constexpr double kLook_s = 0.1;
 
 }  // namespace
 
 EmergencyStop::EmergencyStop(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
-                             SharedExecutor& executor)
-    : executor_(executor), node_(node), private_node_(private_node), spinner_(1, &queue_) {
+                             SharedExecutor& executor, bool realtime)
+    : executor_(executor), node_(node), private_node_(private_node) {
   node_.setCallbackQueue(&queue_);
   private_node_.setCallbackQueue(&queue_);
   topic_ = node_.subscribe(kTopic, kQueueSize, &EmergencyStop::onEStop, this,
@@ -28,7 +32,17 @@ EmergencyStop::EmergencyStop(const ros::NodeHandle& node, const ros::NodeHandle&
         response.message = "Stopped; nothing is sent until ~arm.";
         return true;
       }));
-  spinner_.start();
+  thread_ = std::thread([this, realtime] { run(realtime); });
+}
+
+EmergencyStop::~EmergencyStop() {
+  running_ = false;
+  thread_.join();
+}
+
+void EmergencyStop::run(bool realtime) {
+  if (realtime) askForRealtimePriority(RealtimePriority::kLoop);
+  while (running_) queue_.callAvailable(ros::WallDuration(kLook_s));
 }
 
 void EmergencyStop::onEStop(const std_msgs::Bool::ConstPtr& message) {

@@ -61,7 +61,7 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
       sender_(makeCommandSender(node, options, robot_, map_)),
       sending_(executor_, *sender_, options.realtime),
       loop_({periodOf(options.behavior), options.realtime}, clock_, loopCallbacks()),
-      emergency_stop_(node, private_node, executor_),
+      emergency_stop_(node, private_node, executor_, options.realtime),
       feedback_(node, executor_, map_, options.executor.feedback_timeout_s, clock_),
       services_(private_node, executor_, feedback_, robot_.jointNames()),
       action_(node, executor_, loop_, robot_, options.behavior),
