@@ -94,6 +94,8 @@ def main() -> int:
     except Silence as silence:
         rospy.logfatal(silence)
         return 1
+    except rospy.ROSInterruptException:
+        return 1  # the session ended
 
 
 def walk_trials() -> int:
