@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "execution/sitting_pose.h"
+
 namespace hexapod {
 namespace {
 
@@ -13,17 +15,6 @@ constexpr double kArrived_rad = 1e-9;
 constexpr std::int64_t kNoSlot = std::numeric_limits<std::int64_t>::min();
 
 }  // namespace
-
-std::vector<double> sittingPose(const RobotDescription& robot, double signal) {
-  std::vector<double> pose_rad = robot.neutralPose();
-  const std::vector<const Joint*> joints = robot.joints();
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    if (joints[j]->signal != Signal::kSecond) continue;
-    pose_rad[j] = std::clamp(pose_rad[j] + joints[j]->amplitude_rad * signal, joints[j]->lower_rad,
-                             joints[j]->upper_rad);
-  }
-  return pose_rad;
-}
 
 ExecutorCore::ExecutorCore(const RobotDescription& robot, const BehaviorOptions& behavior,
                            const ExecutorOptions& options)

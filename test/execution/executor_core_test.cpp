@@ -4,6 +4,7 @@
 
 #include <memory>
 
+#include "execution/sitting_pose.h"
 #include "shipped_robot.h"
 
 namespace hexapod {
