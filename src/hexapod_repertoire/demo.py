@@ -11,6 +11,7 @@ import rospy
 from geometry_msgs.msg import Pose as PoseMsg
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
+from std_srvs.srv import Trigger
 
 from hexapod_repertoire.msg import (ExecutorState, LearningProgress, Repertoire, WalkToGoal,
                                     WalkToResult)
@@ -81,12 +82,21 @@ def validated_repertoire() -> Repertoire:
     )
 
 
-def wait_until_ready() -> None:
-    """Waits until the executor stands and is ready to walk."""
+def wait_until_ready(arm_after_fault: bool = False) -> None:
+    """Waits until the executor stands and is ready to walk.
+
+    With arm_after_fault it arms after a fault: for a simulated robot, which falls behind while a
+    learner takes all cores.
+    """
     end_s = time.monotonic() + PATIENCE_S
+
+    def is_over(message: ExecutorState) -> bool:
+        if arm_after_fault and message.state == ExecutorState.FAULT:
+            rospy.ServiceProxy("executor/arm", Trigger)()
+        return message.state == ExecutorState.READY or time.monotonic() > end_s
+
     state = Latest("executor/state", ExecutorState).wait(
-        lambda message: message.state == ExecutorState.READY or time.monotonic() > end_s,
-        PATIENCE_S, "No executor answers on executor/state; start it.")
+        is_over, PATIENCE_S, "No executor answers on executor/state; start it.")
     if state.state != ExecutorState.READY:
         raise Silence(f"The executor does not become ready ({state.reason}); call executor/arm.")
 
@@ -152,7 +162,7 @@ def demonstrate() -> int:
     picture = os.path.expanduser(rospy.get_param("~picture_file"))
     rospy.loginfo("Waiting for a validated repertoire.")
     repertoire = validated_repertoire()
-    wait_until_ready()
+    wait_until_ready(arm_after_fault=True)
     walker = Walker()
     trail = Trail()
     reports, walks = [], []
