@@ -118,7 +118,6 @@ check_fuzz() {
   for name in "${names[@]}" seeded_mistake; do mkdir -p "$build/fuzz/corpus/$name"; done
   cp urdf/*.urdf "$build/fuzz/corpus/urdf"
   cp config/*.yaml "$build/fuzz/corpus/yaml"
-  cp config/joint_map*.yaml "$build/fuzz/corpus/seeded_mistake"
   "$build/fuzz/fuzz_seeds" "$build/fuzz/corpus"
   export -f fuzz
   export build fuzz_seconds
