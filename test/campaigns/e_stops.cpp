@@ -7,15 +7,12 @@
 //   --short       some stops of each part
 //   --stops N     1,000 by default; --speed S of simulated time, 3 by default; --seed N 1 by
 //   default
-#include <ros/poll_manager.h>
-
 #include <cstdio>
 #include <string>
 
 #include "e_stops_in_process.h"
 #include "e_stops_on_the_wire.h"
 #include "robot/load_robot.h"
-#include "ros_interface/common/realtime.h"
 
 namespace hexapod {
 namespace {
@@ -38,13 +35,7 @@ int runCampaign(int stops, double speed, std::uint64_t seed) {
       static_cast<unsigned long long>(seed));
   bool good = report("in-process", InProcess(robot, seed).run(stops));
   RosSession session("e_stops");
-  // What presses the button is not to be what is late.
-  askForRealtimePriority(RealtimePriority::kTransport);
-  ros::PollManager::instance()->addPollThreadListener([] {
-    thread_local bool asked = false;
-    if (!asked) askForRealtimePriority(RealtimePriority::kTransport);
-    asked = true;
-  });
+  beOnTime();
   OnTheWire wire(robot, speed, seed);
   good = report("wire, stalled driver", wire.run(stops)) && good;
   std::printf(

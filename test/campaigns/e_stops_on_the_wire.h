@@ -27,6 +27,7 @@ namespace hexapod {
 inline int driveStalled() {
   RosSession::join("stalled_driver");
   ros::NodeHandle node;
+  beOnTime();
   Random random(7);
   const ros::Publisher obeyed = node.advertise<sensor_msgs::JointState>("obeyed", 1000);
   const auto subscriber = node.subscribe<sensor_msgs::JointState>(

@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <ros/callback_queue.h>
+#include <ros/poll_manager.h>
 #include <ros/ros.h>
 #include <sched.h>
 #include <signal.h>
@@ -19,7 +20,20 @@
 #include <string>
 #include <vector>
 
+#include "ros_interface/common/realtime.h"
+
 namespace hexapod {
+
+/// Gives the calling thread, and roscpp's thread that reads and writes sockets, a real-time
+/// priority where there is one: a witness is not to be what is late.
+inline void beOnTime() {
+  askForRealtimePriority(RealtimePriority::kTransport);
+  ros::PollManager::instance()->addPollThreadListener([] {
+    thread_local bool asked = false;
+    if (!asked) askForRealtimePriority(RealtimePriority::kTransport);
+    asked = true;
+  });
+}
 
 /// A child process; ends with this object, and with this process.
 class Child {

@@ -4,7 +4,6 @@
 //   --short      some seconds; nothing is asserted about times
 //   --ticks N    commands to watch in each part, 20,000 by default
 #include <hexapod_repertoire/ExecuteBehaviorActionGoal.h>
-#include <ros/poll_manager.h>
 #include <sensor_msgs/JointState.h>
 
 #include <algorithm>
@@ -16,7 +15,6 @@
 
 #include "common/random.h"
 #include "ros_interface/common/clock.h"
-#include "ros_interface/common/realtime.h"
 #include "ros_session.h"
 
 namespace hexapod {
@@ -94,13 +92,6 @@ int playRole(const std::string& role) {
 
 // --- what is measured ---
 
-// The witness is not to be what is late: its threads get a real-time priority where there is one.
-void beOnTime() {
-  thread_local bool asked = false;
-  if (!asked) askForRealtimePriority(RealtimePriority::kTransport);
-  asked = true;
-}
-
 /// Arrivals on one topic, on a thread of their own.
 class Probe {
  public:
@@ -110,7 +101,8 @@ class Probe {
         topic, 1000,
         boost::function<void(const sensor_msgs::JointState::ConstPtr&)>(
             [this](const sensor_msgs::JointState::ConstPtr& command) {
-              beOnTime();
+              thread_local const bool on_time = (beOnTime(), true);
+              static_cast<void>(on_time);
               const std::int64_t now_ns = steadyNow_ns();
               const std::lock_guard<std::mutex> lock(mutex_);
               arrivals_.push_back({now_ns, toNs(command->header.stamp)});
@@ -303,7 +295,6 @@ int runCampaign(int argc, char** argv) {
     }
   }
   RosSession session("wire_jitter");
-  ros::PollManager::instance()->addPollThreadListener(beOnTime);
   return Campaign(ticks, judge_times).run() ? 0 : 1;
 }
 

@@ -185,9 +185,12 @@ void ExecutorReports::reportCommands(Diagnostics& diagnostics) {
 void ExecutorReports::reportFeedback(Diagnostics& diagnostics) {
   const bool bad = status_.cause.reason == Reason::kFeedbackLost ||
                    status_.cause.reason == Reason::kFeedbackFrozen;
+  const std::string topic = sources_.feedback.topic();
+  const std::string good =
+      topic.empty() ? "Open loop: joint states are not looked at." : "Joint states on " + topic;
   diagnostics.summary(
       bad ? diagnostic_msgs::DiagnosticStatus::ERROR : diagnostic_msgs::DiagnosticStatus::OK,
-      bad ? sentence(status_.cause, joint_names_) : "Joint states on " + sources_.feedback.topic());
+      bad ? sentence(status_.cause, joint_names_) : good);
   if (!rivals_.empty()) {
     diagnostics.summary(diagnostic_msgs::DiagnosticStatus::ERROR,
                         "More than one node tells the same joints' angles: " + rivals_);

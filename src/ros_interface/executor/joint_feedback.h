@@ -34,6 +34,7 @@ class JointFeedback {
   std::string problem() const;
   /// The nodes that contest a joint, as "/a and /b"; empty while none is contested.
   std::string rivals() const;
+  /// Empty: open loop.
   std::string topic() const { return subscriber_.getTopic(); }
 
  private:
