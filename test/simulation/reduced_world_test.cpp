@@ -133,6 +133,25 @@ TEST(ReducedWorld, StepsAsOdeForAFourLeggedRobotWithTwoJointsPerLegAndRoundFeet)
   expectStepsAsOde(robot, Physics(), 0.3);
 }
 
+TEST(ReducedWorld, StepsAsOdeForLegsOfOneTwoAndThreeJoints) {
+  RobotDescription robot = handMadeHexapod();
+  robot.legs[1].segments.resize(2);
+  robot.legs[4].segments.resize(1);
+  expectStepsAsOde(robot, Physics(), 0.4);
+}
+
+TEST(ReducedWorld, StepsAsOdeForTenLegs) {
+  RobotDescription robot = handMadeHexapod();
+  for (const std::size_t outer : {0, 2, 3, 5}) {
+    robot.legs.push_back(robot.legs[outer]);
+    Eigen::Isometry3d& hip = robot.legs.back().segments[0].joint.parent_from_joint;
+    // Half way to the middle leg.
+    hip.translation().x() *= 0.5;
+    hip.translation().y() *= 4.0 / 3.0;
+  }
+  expectStepsAsOde(robot, Physics(), 0.4);
+}
+
 TEST(ReducedWorld, SettlesAsOde) {
   const RobotDescription robot = handMadeHexapod();
   const OdeWorld ode(robot, Physics());
@@ -223,9 +242,9 @@ TEST(ReducedWorld, SaysWhichRobotsItDoesNotCover) {
   EXPECT_TRUE(coversRobot(handMadeHexapod(), reason));
   EXPECT_EQ(reason, "");
 
-  RobotDescription uneven = handMadeHexapod();
-  uneven.legs[3].segments.pop_back();
-  EXPECT_NE(refusal(uneven).find("'leg_3' has 2"), std::string::npos);
+  RobotDescription jointed = handMadeHexapod();
+  for (int i = 0; i < 2; ++i) jointed.legs[3].segments.push_back(jointed.legs[3].segments.back());
+  EXPECT_NE(refusal(jointed).find("'leg_3' has 5"), std::string::npos);
 
   RobotDescription boxed = handMadeHexapod();
   boxed.legs[1].segments[2].body.shapes[0].kind = Shape::Kind::kBox;

@@ -26,6 +26,7 @@ class LaneStepper final : public Stepper {
 
   void load(int lane, const double* values) override {
     forEachValue(model_, state_, [&](Real& value) { setLane(value, lane, *values++); });
+    for (int leg = 0; leg < model_.legs; ++leg) pad(leg, lane);
     work_.clearance.forget(lane);
   }
 
@@ -35,7 +36,8 @@ class LaneStepper final : public Stepper {
 
   void setTargets(int lane, const double* targets_rad) override {
     for (int leg = 0; leg < model_.legs; ++leg) {
-      for (int s = 0; s < kSegments; ++s) setLane(state_.target[leg][s], lane, *targets_rad++);
+      for (int s = 0; s < model_.of_leg[leg]; ++s)
+        setLane(state_.target[leg][s], lane, *targets_rad++);
     }
   }
 
@@ -49,6 +51,21 @@ class LaneStepper final : public Stepper {
   }
 
  private:
+  // Segments that the leg does not have are where its last one is.
+  void pad(int leg, int lane_index) {
+    for (int s = model_.of_leg[leg]; s < kSegments; ++s) {
+      BodyState<Real> parent = s == 0 ? state_.base : state_.segment[leg][s - 1];
+      Real values[kStateValues];
+      Real* value = values;
+      forEachValueOf(parent, [&](const Real& of_parent) { *value++ = of_parent; });
+      value = values;
+      forEachValueOf(state_.segment[leg][s],
+                     [&](Real& own) { setLane(own, lane_index, lane(*value++, lane_index)); });
+    }
+  }
+
+  static constexpr int kStateValues = 13;
+
   const ReducedModel& model_;
   State<Real> state_;
   StepWorkspace<Real, kSegments> work_;

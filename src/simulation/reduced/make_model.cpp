@@ -15,6 +15,9 @@ namespace {
 constexpr double kMinCompliance = 1e-6;  // of contacts: they are springs to this engine
 constexpr double kMaxJointCfm = 1e-7;    // of hinges and motors: they are rigid to it
 
+// Of segments that are not there: lost in the rounding of everything else, but not 0 / 0.
+constexpr double kNoInertia_kg_m2 = 1e-30;
+
 Vec3<double> vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 // Drops an axis on which the inertia is the round part already.
@@ -51,6 +54,18 @@ JointModel makeJoint(const Joint& joint, const Body& parent, const Body& child) 
   made.upper = joint.upper_rad;
   made.max_torque = joint.max_torque_nm;
   made.max_velocity = joint.max_velocity_rad_per_s;
+  return made;
+}
+
+// A hinge of a segment that its leg does not have. Its motor never feels anything.
+JointModel padding() {
+  JointModel made;
+  made.parent_axis = made.child_axis = {0.0, 0.0, 1.0};
+  made.child_from_parent = {1.0, 0.0, 0.0, 0.0};
+  made.lower = -1.0;
+  made.upper = 1.0;
+  made.max_torque = 1.0;
+  made.max_velocity = 1.0;
   return made;
 }
 
@@ -103,7 +118,7 @@ void addCapsules(const Body& body, int leg, int segment, ReducedModel& model) {
 // From the tip inwards: the farthest a point of a segment or beyond can be from its hinge.
 void addReach(const Leg& leg, int index, ReducedModel& model) {
   double beyond = 0.0;
-  for (int s = model.segments - 1; s >= 0; --s) {
+  for (int s = model.of_leg[index] - 1; s >= 0; --s) {
     double reach = 0.0;
     for (const Shape& shape : leg.segments[s].body.shapes) {
       reach = std::max(reach, shape.body_from_shape.translation().norm() + 0.5 * shape.length_m +
@@ -132,13 +147,11 @@ std::string legProblem(const RobotDescription& robot) {
     return "the number of legs must be 1 to " + std::to_string(kMaxLegs) + ", found " +
            std::to_string(robot.legs.size());
   }
-  const std::size_t segments = robot.legs.front().segments.size();
   for (const Leg& leg : robot.legs) {
     const std::size_t found = leg.segments.size();
-    if (found != segments || found < kMinSegments || found > kMaxSegments) {
-      return "all legs must have the same number of joints, " + std::to_string(kMinSegments) +
-             " to " + std::to_string(kMaxSegments) + ", but leg '" + leg.name + "' has " +
-             std::to_string(found);
+    if (found < 1 || found > kMaxSegments) {
+      return "legs must have 1 to " + std::to_string(kMaxSegments) + " joints, but leg '" +
+             leg.name + "' has " + std::to_string(found);
     }
     for (const Segment& segment : leg.segments) {
       if (segment.joint.lower_rad < segment.joint.upper_rad) continue;
@@ -193,7 +206,11 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
   const RobotDescription scaled = underPhysics(robot, physics);
   ReducedModel model;
   model.legs = static_cast<int>(scaled.legs.size());
-  model.segments = static_cast<int>(scaled.legs.front().segments.size());
+  model.segments = kMinSegments;
+  for (int leg = 0; leg < model.legs; ++leg) {
+    model.of_leg[leg] = static_cast<int>(scaled.legs[leg].segments.size());
+    model.segments = std::max(model.segments, model.of_leg[leg]);
+  }
   model.base = makeBody(scaled.base);
   model.base_origin = vec3(-scaled.base.center_of_mass_m);
   model.gravity = vec3(gravityOnFloor(physics));
@@ -203,13 +220,17 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
   addSpheres(floorSpheres(scaled.base, -1, 0), model);
   for (int leg = 0; leg < model.legs; ++leg) {
     const Body* parent = &scaled.base;
-    for (int s = 0; s < model.segments; ++s) {
+    for (int s = 0; s < model.of_leg[leg]; ++s) {
       const Segment& segment = scaled.legs[leg].segments[s];
       model.bodies[leg][s] = makeBody(segment.body);
       model.joints[leg][s] = makeJoint(segment.joint, *parent, segment.body);
       addSpheres(floorSpheres(segment.body, leg, s), model);
       if (touchCounts(physics, leg)) addCapsules(segment.body, leg, s, model);
       parent = &segment.body;
+    }
+    for (int s = model.of_leg[leg]; s < model.segments; ++s) {
+      model.joints[leg][s] = padding();
+      model.bodies[leg][s].round_inertia = kNoInertia_kg_m2;
     }
     addReach(scaled.legs[leg], leg, model);
     model.first_capsule[leg + 1] = model.capsules;

@@ -5,11 +5,11 @@
 namespace hexapod::reduced {
 
 /// Largest robot the engine takes.
-constexpr int kMaxLegs = 8;
-constexpr int kMinSegments = 2;
+constexpr int kMaxLegs = 12;
+constexpr int kMinSegments = 2;  ///< a leg of fewer is padded
 constexpr int kMaxSegments = 4;
-constexpr int kMaxSpheres = 64;   ///< that can touch the floor
-constexpr int kMaxCapsules = 32;  ///< that can touch one another
+constexpr int kMaxSpheres = 160;  ///< that can touch the floor
+constexpr int kMaxCapsules = 64;  ///< that can touch one another
 
 /// A rigid body. Its frame has its origin at the centre of mass and the axes of the link, as the
 /// body in ODE. Inertia = round * 1 + first.scale * axis axis^T + second.scale * axis axis^T.
@@ -54,7 +54,10 @@ struct LegCapsule {
 /// threads. Symbols in brackets are those of doc/reduced_dynamics.md.
 struct ReducedModel {
   int legs = 0;
-  int segments = 0;  ///< per leg
+  int segments = 0;  ///< of the longest leg
+  /// Of each leg. Those up to `segments` are padding: without mass or shape, on their parent, so
+  /// that they move nothing and nothing moves them.
+  int of_leg[kMaxLegs] = {};
   BodyModel base;
   BodyModel bodies[kMaxLegs][kMaxSegments];
   JointModel joints[kMaxLegs][kMaxSegments];

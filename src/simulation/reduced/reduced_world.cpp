@@ -102,7 +102,7 @@ void ReducedWorld::jointAngles(std::vector<double>& angles_rad) const {
   angles_rad.clear();
   for (int leg = 0; leg < model_->legs; ++leg) {
     const reduced::BodyState<double>* parent = &bodies.base;
-    for (int s = 0; s < model_->segments; ++s) {
+    for (int s = 0; s < model_->of_leg[leg]; ++s) {
       const reduced::JointModel& joint = model_->joints[leg][s];
       const reduced::BodyState<double>& child = bodies.segment[leg][s];
       angles_rad.push_back(reduced::hingeAngle(child.rotation, parent->rotation,

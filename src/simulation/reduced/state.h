@@ -37,10 +37,10 @@ template <typename AnyState, typename Use>
 inline void forEachValue(const ReducedModel& model, AnyState& state, const Use& use) {
   forEachValueOf(state.base, use);
   for (int leg = 0; leg < model.legs; ++leg) {
-    for (int s = 0; s < model.segments; ++s) forEachValueOf(state.segment[leg][s], use);
+    for (int s = 0; s < model.of_leg[leg]; ++s) forEachValueOf(state.segment[leg][s], use);
   }
   for (int leg = 0; leg < model.legs; ++leg) {
-    for (int s = 0; s < model.segments; ++s) use(state.target[leg][s]);
+    for (int s = 0; s < model.of_leg[leg]; ++s) use(state.target[leg][s]);
   }
 }
 
