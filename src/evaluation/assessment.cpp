@@ -9,6 +9,7 @@
 #include "common/text.h"
 #include "evaluation/robust_worlds.h"
 #include "geometry/arc.h"
+#include "robot/dimensions.h"
 #include "simulation/rollout.h"
 
 namespace hexapod {
@@ -23,8 +24,8 @@ double quantile(std::vector<double> values, double share) {
   return *at;
 }
 
-TrialResult resultOf(const std::string& name, const std::vector<Entry>& entries,
-                     const std::vector<BatchResult>& results) {
+TrialResult resultOf(const std::string& name, const RegionOfInterest& region,
+                     const std::vector<Entry>& entries, const std::vector<BatchResult>& results) {
   TrialResult trial;
   trial.name = name;
   std::vector<Ending> endings;
@@ -38,7 +39,7 @@ TrialResult resultOf(const std::string& name, const std::vector<Entry>& entries,
     endings.push_back({outcome.end_pose, orientationError(outcome.end_pose)});
     shifts_m.push_back(distance(outcome.end_pose, entries[i].expectedPose()));
   }
-  trial.metrics = measure(endings);
+  trial.metrics = measure(endings, region);
   trial.median_shift_m = quantile(shifts_m, 0.5);
   trial.p90_shift_m = quantile(shifts_m, 0.9);
   return trial;
@@ -75,10 +76,11 @@ std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
   std::deque<Behavior> behaviors;
   for (const Entry& entry : entries) behaviors.emplace_back(pool->robot(), entry.genome, behavior);
   std::vector<TrialResult> results;
+  const RegionOfInterest region = RegionOfInterest().scaledBy(lengthScale(pool->robot()));
   for (std::size_t p = 0; p < trials.size(); ++p) {
     std::vector<RobustWorlds::Run> runs;
     for (const Behavior& one : behaviors) runs.push_back({p, &one, nullptr});
-    results.push_back(resultOf(trials[p].name, entries, worlds.play(runs, cancelled)));
+    results.push_back(resultOf(trials[p].name, region, entries, worlds.play(runs, cancelled)));
   }
   return results;
 }

@@ -123,20 +123,30 @@ Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {
   return result;
 }
 
+// A robot that is about to fall over would make every candidate fail.
+bool RobustEvaluator::goesOnStanding(const WorldState& state) {
+  const Behavior standing(robot_, Genome(robot_.geneCount(), 0), behavior_);
+  return worlds_.play({{0, &standing, &state}}, cancelled_)[0].outcome.walked();
+}
+
 void RobustEvaluator::prepareStartStates() {
   Random random(seed_ ^ kPurpose);
   while (start_states_.size() < static_cast<std::size_t>(options_.start_states)) {
     std::vector<WorldState> chain(1);
     for (int draw = 0; static_cast<int>(chain.size()) <= kPredecessors; ++draw) {
       if (draw == kMaxDraws) {
-        throw std::runtime_error("None of " + std::to_string(kMaxDraws) +
+        throw std::runtime_error("Of " + std::to_string(kMaxDraws) +
                                  " random behaviours of robot " + robot_.name +
-                                 " walks; set perturbed_start_states to 0.");
+                                 " none walks and stands still afterwards; give it a lower stand "
+                                 "or smaller amplitudes (import_robot tries them), or set "
+                                 "perturbed_start_states to 0.");
       }
       const Behavior behavior(robot_, randomGenome(robot_.geneCount(), random), behavior_);
       const WorldState* start = chain.size() == 1 ? nullptr : &chain.back();
       BatchResult result = worlds_.play({{0, &behavior, start}}, cancelled_)[0];
-      if (result.outcome.walked()) chain.push_back(std::move(result.end));
+      if (result.outcome.walked() && goesOnStanding(result.end)) {
+        chain.push_back(std::move(result.end));
+      }
     }
     start_states_.push_back(std::move(chain.back()));
   }

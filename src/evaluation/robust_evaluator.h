@@ -44,6 +44,7 @@ class RobustEvaluator : public Evaluator {
   std::vector<Outcome> seenBefore(int look, const Genome& genome, const Outcome& previous) const;
   RobustWorlds::Run run(std::size_t number, const Behavior& behavior) const;
   Outcome whole(const std::vector<Outcome>& outcomes) const;
+  bool goesOnStanding(const WorldState& state);
   void prepareStartStates();
 
   Evaluator* nominal_;

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "repertoire/digest.h"
+#include "robot/dimensions.h"
 
 namespace hexapod {
 namespace {
@@ -48,6 +49,11 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05),
+      option("length_scale", options.length_scale, "",
+             "novelty_threshold_m and novelty_threshold_min_m are multiplied with it and "
+             "spread_weight_rad_per_m is divided by it; 0: by the reach of the robot's legs over "
+             "the 0.29 m that these are made for.",
+             0.0, 1000.0),
       option("verify_with_ode", options.verify_with_ode,
              "Replay all entries of the engine reduced in ODE when learning is done, and leave out "
              "those that do not hold."),
@@ -74,6 +80,14 @@ std::vector<Option> declareOptions(LearnOptions& options) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
+}
+
+LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options) {
+  if (options.length_scale == 0.0) options.length_scale = lengthScale(robot);
+  options.evolution.novelty_threshold_m *= options.length_scale;
+  options.evolution.novelty_threshold_min_m *= options.length_scale;
+  options.robustness.spread_weight_rad_per_m /= options.length_scale;
+  return options;
 }
 
 Physics nominalPhysics(const LearnOptions& options) {

@@ -26,6 +26,7 @@ struct LearnOptions {
   std::int64_t threads = 0;
   std::string engine = "reduced";
   double step_s = 0.015;
+  double length_scale = 0.0;  ///< of all lengths below; 0: the robot's own
   bool verify_with_ode = true;
   bool resimulate = true;
   std::int64_t validation_trials = 8;
@@ -43,6 +44,10 @@ std::vector<Option> declareOptions(LearnOptions& options);
 /// The options with a budget of evaluations: 20,000 where none is given, or as many as the time
 /// budget allows where there is that.
 LearnOptions withBudget(LearnOptions options);
+
+/// The same with all lengths multiplied by `length_scale`, or by the robot's own lengthScale()
+/// where that is 0, and with what counts per metre divided by it.
+LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options);
 
 /// The physics that candidates are simulated with first.
 Physics nominalPhysics(const LearnOptions& options);

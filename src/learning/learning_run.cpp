@@ -2,6 +2,7 @@
 
 #include "gait/behavior.h"
 #include "repertoire/metrics.h"
+#include "robot/dimensions.h"
 
 namespace hexapod {
 namespace {
@@ -55,7 +56,8 @@ void LearningRun::step() { evolution_.step(options_.evaluations - counters().eva
 
 void LearningRun::recordHistory() {
   if (!history_.empty() && history_.back().evaluations == counters().evaluations) return;
-  const RepertoireMetrics metrics = measure(learnedEndings(learned()));
+  const RepertoireMetrics metrics =
+      measure(learnedEndings(learned()), RegionOfInterest().scaledBy(lengthScale(robot_)));
   HistoryRow row;
   row.evaluations = counters().evaluations;
   row.archive_size = static_cast<std::int64_t>(learned().size());
@@ -75,6 +77,21 @@ std::vector<Entry> LearningRun::entries() const {
     if (execution != executions_.end()) kept.back().execution = execution->second;
   }
   return kept;
+}
+
+std::string LearningRun::nothingLearned() const {
+  const std::int64_t walked =
+      counters().evaluations - counters().fell - counters().self_collided - counters().diverged;
+  std::string sentence = "Nothing was learned: of " + std::to_string(counters().evaluations) +
+                         " candidates " + std::to_string(counters().fell) + " fell, " +
+                         std::to_string(counters().self_collided) +
+                         " touched a leg with another, " + std::to_string(counters().diverged) +
+                         " blew up and " + std::to_string(walked) + " walked";
+  if (!dropped_.empty()) {
+    return sentence + "; ODE confirms none of the " + std::to_string(dropped_.size()) + " entries.";
+  }
+  if (walked > 0) sentence += ", none to a new place (novelty_threshold_m is too large for it)";
+  return sentence + ". import_robot tells how a robot stands and walks.";
 }
 
 void LearningRun::add(const Findings& findings) {

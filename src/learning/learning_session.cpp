@@ -42,7 +42,7 @@ std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOpti
 
 LearningSession::LearningSession(const RobotDescription& robot, const LearnOptions& options,
                                  Clock clock, const DistributedEvaluator::Workers& workers)
-    : options_(withBudget(options)),
+    : options_(suitedTo(robot, withBudget(options))),
       clock_(std::move(clock)),
       checkpointer_(claimed(options_), options_.checkpoint_period_s, clock_),
       resumed_(earlierRun(robot, options_, checkpointer_)),
@@ -67,6 +67,7 @@ bool LearningSession::run(const Hooks& hooks) {
   if (finished) enter(LearningPhase::kDone);
   if (!was_done && run_.counters().generations > 0) save(hooks);
   if (hooks.progress) hooks.progress(*this);
+  if (finished && run_.entries().empty()) throw std::runtime_error(run_.nothingLearned());
   return finished;
 }
 

@@ -68,7 +68,8 @@ class LearningSession {
 
   /// Evolves until the budget is used up, checks, saves. Returns true when all was done, false when
   /// requestStop() ended it early; the last whole generation is saved then. Either way
-  /// saveProblem() tells whether the file holds it.
+  /// saveProblem() tells whether the file holds it. Throws std::runtime_error telling what became
+  /// of the candidates when all was done for no entry.
   bool run(const Hooks& hooks);
 
   /// Ends run() within one simulated behaviour.

@@ -18,7 +18,7 @@ void workFor(Channel& session, const RobotDescription& robot, const LearnOptions
   const auto worlds =
       std::make_shared<WorldPool>(chooseEngine(options.engine, robot).engine, robot,
                                   nominalPhysics(options), static_cast<int>(options.threads));
-  CandidateEvaluator(worlds, withBudget(options), cancelled).serveFor(session);
+  CandidateEvaluator(worlds, suitedTo(robot, withBudget(options)), cancelled).serveFor(session);
 }
 
 }  // namespace hexapod

@@ -27,6 +27,10 @@ std::vector<Ending> expectedEndings(const std::vector<Entry>& entries) {
   return endings;
 }
 
+RegionOfInterest RegionOfInterest::scaledBy(double length_scale) const {
+  return {half_angle_rad, length_scale * arc_length_m, length_scale * grid_step_m};
+}
+
 bool RegionOfInterest::contains(double x_m, double y_m) const {
   if (x_m == 0.0 && y_m == 0.0) return true;
   const double polar_rad = std::atan2(std::abs(y_m), std::abs(x_m));

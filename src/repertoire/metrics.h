@@ -29,6 +29,9 @@ struct RegionOfInterest {
   double arc_length_m = 0.6;  ///< exclusive
   double grid_step_m = 0.01;  ///< > 0
 
+  /// The same region for a robot of other size.
+  RegionOfInterest scaledBy(double length_scale) const;
+
   /// The origin belongs to it.
   bool contains(double x_m, double y_m) const;
 

@@ -9,6 +9,7 @@
 #include "learning/learn_options.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/steadiness.h"
+#include "robot/dimensions.h"
 #include "robot/load_robot.h"
 #include "tools/command_line.h"
 #include "tools/package_files.h"
@@ -102,7 +103,9 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
   std::printf(
       "| world | entries | sparseness [cm] | median error [deg] | reach [m] | "
       "median shift [mm] | p90 [mm] | failed |\n|---|---|---|---|---|---|---|---|\n");
-  printRow("as expected", measure(expectedEndings(usable)), "     - |      - |     -");
+  printRow("as expected",
+           measure(expectedEndings(usable), RegionOfInterest().scaledBy(lengthScale(robot))),
+           "     - |      - |     -");
   for (const TrialResult& trial :
        resimulate(pool, learned.behavior, usable, heldOutTrials(robot, nominal))) {
     printRow(trial.name, trial.metrics, shiftText(trial));

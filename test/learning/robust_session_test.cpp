@@ -12,6 +12,7 @@ class RobustSession : public LearningFixture {
     LearnOptions options = smallRun(name);
     options.evaluations = 60;
     options.behavior.gait_duration_s = 0.6;
+    options.evolution.novelty_threshold_m = 0.005;  // so short gaits do not lead far
     options.evolution.offer_twins = true;
     options.evolution.archive_parents = 0.5;
     options.evolution.novelty_refinement = 0.05;
@@ -30,6 +31,7 @@ TEST_F(RobustSession, GoesOnAsIfItHadNeverStopped) {
   }
   const Repertoire resumed = loadRepertoire(options.repertoire_file);
   const Repertoire whole = undisturbed(robustRun(""));
+  EXPECT_FALSE(whole.entries.empty());
   EXPECT_EQ(digestOf(resumed.entries), digestOf(whole.entries));
 }
 
@@ -74,12 +76,46 @@ TEST_F(RobustSession, KeepsNowAndThenWhatWouldBeLeftOfItInOtherWorlds) {
   options.evaluations = 4000;
   options.evolution.population_size = 100;
   options.behavior.gait_duration_s = 0.3;
+  options.evolution.novelty_threshold_m = 0.005;
   options.resimulate = true;
   std::vector<std::int64_t> tried;
   for (const HistoryRow& row : undisturbed(options).history) {
     if (row.held_out) tried.push_back(row.evaluations);
   }
   EXPECT_EQ(tried, (std::vector<std::int64_t>{1000, 3000, 4000}));
+}
+
+TEST_F(RobustSession, WithoutAnyEntryEndsTellingWhatBecameOfTheCandidates) {
+  LearnOptions options = robustRun("nothing.db");
+  options.evolution.novelty_threshold_m = 5.0;
+  options.evolution.novelty_threshold_min_m = 5.0;
+  const std::string complaint = complaintOf([&] { learn(options); });
+  EXPECT_TRUE(mentions(complaint, "Nothing was learned: of 60 candidates ")) << complaint;
+  EXPECT_TRUE(mentions(complaint, "none to a new place")) << complaint;
+}
+
+TEST_F(RobustSession, LearnsInLengthsThatSuitTheRobot) {
+  const LearnOptions given = robustRun("");
+  const LearnOptions own = suitedTo(robot_, given);
+  EXPECT_EQ(own.length_scale, 1.0);
+  EXPECT_EQ(own.evolution.novelty_threshold_m, given.evolution.novelty_threshold_m);
+  RobotDescription large = robot_;
+  for (Leg& leg : large.legs) {
+    for (Segment& segment : leg.segments) {
+      segment.joint.parent_from_joint.translation() *= 2.0;
+      for (Shape& shape : segment.body.shapes) {
+        shape.body_from_shape.translation() *= 2.0;
+        shape.length_m *= 2.0;
+        shape.radius_m *= 2.0;
+      }
+    }
+  }
+  const LearnOptions twice = suitedTo(large, given);
+  EXPECT_DOUBLE_EQ(twice.evolution.novelty_threshold_m, 0.01);
+  EXPECT_DOUBLE_EQ(twice.robustness.spread_weight_rad_per_m, 2.0);
+  LearnOptions fixed = given;
+  fixed.length_scale = 3.0;
+  EXPECT_DOUBLE_EQ(suitedTo(large, fixed).evolution.novelty_threshold_m, 0.015);
 }
 
 TEST_F(RobustSession, OfTheSameRobotIsAnotherRunThanANominalOne) {
