@@ -21,24 +21,6 @@ double forwardYaw_rad(const std::string& axis) {
   return axis == "-y" ? -0.5 * M_PI : 0.0;
 }
 
-// Turns the frame of the base, and so all that is given in it.
-void turnBase(RobotDescription& robot, double link_from_base_yaw_rad) {
-  robot.link_from_base_yaw_rad = link_from_base_yaw_rad;
-  if (link_from_base_yaw_rad == 0.0) return;
-  const Eigen::Isometry3d base_from_link(
-      Eigen::AngleAxisd(-link_from_base_yaw_rad, Eigen::Vector3d::UnitZ()));
-  Body& base = robot.base;
-  base.center_of_mass_m = base_from_link * base.center_of_mass_m;
-  base.inertia_kg_m2 =
-      base_from_link.linear() * base.inertia_kg_m2 * base_from_link.linear().transpose();
-  for (Shape& shape : base.shapes) shape.body_from_shape = base_from_link * shape.body_from_shape;
-  for (Leg& leg : robot.legs) {
-    if (leg.segments.empty()) continue;
-    Joint& hip = leg.segments.front().joint;
-    hip.parent_from_joint = base_from_link * hip.parent_from_joint;
-  }
-}
-
 class Assembly {
  public:
   Assembly(const RobotSources& sources, Problems& problems)
@@ -65,7 +47,7 @@ class Assembly {
     }
     for (const LegConfig& leg : config_.legs) robot.legs.push_back(assembleLeg(leg, base));
     findUnusedJoints();
-    turnBase(robot, forwardYaw_rad(config_.forward));
+    turnForward(config_.forward, robot);
     deriveConstants(robot);
     robot.remarks = remarks_.sentences();
     return robot;
@@ -204,6 +186,24 @@ class Assembly {
 };
 
 }  // namespace
+
+void turnForward(const std::string& axis, RobotDescription& robot) {
+  const double link_from_base_yaw_rad = forwardYaw_rad(axis);
+  robot.link_from_base_yaw_rad = link_from_base_yaw_rad;
+  if (link_from_base_yaw_rad == 0.0) return;
+  const Eigen::Isometry3d base_from_link(
+      Eigen::AngleAxisd(-link_from_base_yaw_rad, Eigen::Vector3d::UnitZ()));
+  Body& base = robot.base;
+  base.center_of_mass_m = base_from_link * base.center_of_mass_m;
+  base.inertia_kg_m2 =
+      base_from_link.linear() * base.inertia_kg_m2 * base_from_link.linear().transpose();
+  for (Shape& shape : base.shapes) shape.body_from_shape = base_from_link * shape.body_from_shape;
+  for (Leg& leg : robot.legs) {
+    if (leg.segments.empty()) continue;
+    Joint& hip = leg.segments.front().joint;
+    hip.parent_from_joint = base_from_link * hip.parent_from_joint;
+  }
+}
 
 RobotDescription assembleRobot(const RobotSources& sources, Problems& problems) {
   return Assembly(sources, problems).assemble();

@@ -22,4 +22,8 @@ struct RobotSources {
 /// `problems`; the result is then incomplete.
 RobotDescription assembleRobot(const RobotSources& sources, Problems& problems);
 
+/// Turns the frame of the base, and so all that is given in it, so that `axis` of the base link (x,
+/// y, -x or -y) becomes x.
+void turnForward(const std::string& axis, RobotDescription& robot);
+
 }  // namespace hexapod

@@ -44,6 +44,9 @@ LegConfig readLeg(YamlSection& section, const std::string& path,
   leg.name = section.text("name");
   leg.joints = section.has("gait") ? readGait(section, path + ".gait", reading) : common_gait;
   const std::vector<YAML::Node> names = section.list("joints");
+  if (!section.has("gait") && common_gait.empty()) {
+    section.addProblem("gait", "is missing; expected one here or one for all legs beside legs.");
+  }
   section.finish();
   if (names.empty() || leg.joints.empty()) return leg;
   if (names.size() != leg.joints.size()) {
@@ -61,7 +64,9 @@ LegConfig readLeg(YamlSection& section, const std::string& path,
 }
 
 std::vector<LegConfig> readLegs(YamlSection& root, const Reading& reading) {
-  const std::vector<JointConfig> common_gait = readGait(root, "gait", reading);
+  // Left out where every leg has its own.
+  std::vector<JointConfig> common_gait;
+  if (root.has("gait")) common_gait = readGait(root, "gait", reading);
   std::vector<LegConfig> legs;
   std::set<std::string> names;
   std::set<std::string> joints;

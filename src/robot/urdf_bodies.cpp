@@ -56,7 +56,8 @@ class Lumper {
     lumped_.body.name = link.name;
     addLink(link, Eigen::Isometry3d::Identity());
     combineMasses();
-    if (sound_) judgeBody();
+    // Who makes shapes of meshes judges with those.
+    if (sound_ && !take_) judgeBody();
     return lumped_;
   }
 
@@ -110,6 +111,9 @@ class Lumper {
     } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(geometry)) {
       problem = fillCapsule(*cylinder, shape);
       if (problem.empty() && shape.length_m <= 0.0) return addDisc(link, *cylinder, shape);
+    } else if (const auto* mesh = dynamic_cast<const urdf::Mesh*>(geometry); mesh && take_) {
+      problem = take_(*mesh, shape.body_from_shape);
+      if (problem.empty()) return;
     } else {
       problem =
           "is a mesh or nothing; expected a box, a sphere or a cylinder (import_robot makes "

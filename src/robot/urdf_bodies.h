@@ -45,7 +45,7 @@ LumpedBody lumpFixedLinks(const urdf::Link& link, const Findings& findings);
 /// Takes a mesh posed in the body's frame; returns what is wrong with it, "" when nothing is.
 using TakeMesh = std::function<std::string(const urdf::Mesh&, const Eigen::Isometry3d&)>;
 
-/// The same with somebody who makes something of collision meshes.
+/// The same with somebody who makes something of collision meshes, and who then judges the mass.
 LumpedBody lumpFixedLinks(const urdf::Link& link, const Findings& findings, const TakeMesh& take);
 
 /// Whether some solid could have this inertia about its centre of mass, but for the few digits that

@@ -17,7 +17,8 @@ NAME_IN_PACKAGE_XML = {
 NOT_DEPENDENCIES = {"PkgConfig", "Threads", "catkin"}
 # Python modules whose Debian package is called otherwise in package.xml.
 MODULE_IN_PACKAGE_XML = {
-    "numpy": "python3-numpy", "matplotlib": "python3-matplotlib", "yaml": "python3-yaml",
+    "numpy": "python3-numpy", "matplotlib": "python3-matplotlib",
+    "mpl_toolkits": "python3-matplotlib", "yaml": "python3-yaml",
     "pytest": "python3-pytest", "scipy": "python3-scipy", "setuptools": "python3-setuptools",
     "catkin_pkg": "catkin",
     "tf": "tf", "tf2_ros": "tf2_ros",

@@ -55,7 +55,7 @@ def test_help_names_every_verb(arguments):
     result = run(ROOT, *arguments)
     assert result.returncode == 0
     for verb in ("demo", "learn", "evolve", "walk", "view", "reproduce", "test", "bench",
-                 "campaign", "check", "setup", "help"):
+                 "campaign", "check", "import_robot", "setup", "help"):
         assert f"\n  {verb} " in result.stdout
 
 

@@ -1,0 +1,196 @@
+#include "robot_import/find_legs.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "robot/urdf_bodies.h"
+
+namespace hexapod {
+namespace {
+
+// What the fast engine simulates, and more than a leg needs for a gait of two signals.
+constexpr std::size_t kMostJoints = 4;
+
+bool isHinge(const urdf::Joint& joint) {
+  return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
+}
+
+bool isFree(const urdf::Joint& joint) {
+  return joint.type == urdf::Joint::FIXED || joint.type == urdf::Joint::FLOATING ||
+         joint.type == urdf::Joint::PLANAR;
+}
+
+bool hasBody(const urdf::Link& link) {
+  return (link.inertial && link.inertial->mass > 0.0) || !link.collision_array.empty() ||
+         !link.visual_array.empty();
+}
+
+class LegFinder {
+ public:
+  LegFinder(urdf::ModelInterface& model, ImportReport& report) : model_(model), report_(report) {}
+
+  std::vector<JointChain> find(const urdf::LinkSharedPtr& base) {
+    std::vector<JointChain> legs;
+    for (const urdf::JointSharedPtr& first : movingBelow(base)) {
+      const JointChain leg = chainFrom(first);
+      if (!leg.empty()) legs.push_back(leg);
+    }
+    dropWhatIsNoLeg(legs);
+    return legs;
+  }
+
+ private:
+  urdf::LinkSharedPtr childOf(const urdf::JointSharedPtr& joint) const {
+    urdf::LinkSharedPtr link;
+    model_.getLink(joint->child_link_name, link);
+    return link;
+  }
+
+  // The joints that move something relative to a link or to what is fixed to it.
+  std::vector<urdf::JointSharedPtr> movingBelow(const urdf::LinkSharedPtr& link) const {
+    std::vector<urdf::JointSharedPtr> joints;
+    for (const urdf::JointSharedPtr& joint : link->child_joints) {
+      if (joint->type == urdf::Joint::FIXED) {
+        for (const auto& below : movingBelow(childOf(joint))) joints.push_back(below);
+      } else {
+        joints.push_back(joint);
+      }
+    }
+    return joints;
+  }
+
+  // Follows the longest way outwards, making fixed what is no hinge and what branches off.
+  JointChain chainFrom(const urdf::JointSharedPtr& first) {
+    JointChain chain;
+    urdf::JointSharedPtr joint = first;
+    while (joint) {
+      const std::vector<urdf::JointSharedPtr> below = movingBelow(childOf(joint));
+      if (isHinge(*joint) && !isWheel(*joint, below, chain) && !joint->mimic &&
+          chain.size() < kMostJoints) {
+        chain.push_back(joint);
+      } else {
+        fix(joint, reasonFor(*joint, chain));
+      }
+      joint = nullptr;
+      for (const urdf::JointSharedPtr& candidate : below) {
+        if (!joint || depth(candidate) > depth(joint)) joint = candidate;
+      }
+      for (const urdf::JointSharedPtr& other : below) {
+        if (other != joint) fixAllFrom(other, "branches off a leg");
+      }
+    }
+    return chain;
+  }
+
+  // The last hinge of a leg that turns without end while those before it have limits.
+  static bool isWheel(const urdf::Joint& joint, const std::vector<urdf::JointSharedPtr>& below,
+                      const JointChain& chain) {
+    return joint.type == urdf::Joint::CONTINUOUS && below.empty() && !chain.empty() &&
+           chain.back()->type != urdf::Joint::CONTINUOUS;
+  }
+
+  static std::string reasonFor(const urdf::Joint& joint, const JointChain& chain) {
+    if (joint.mimic) return "mimics another joint";
+    if (!isHinge(joint)) return "is no hinge";
+    if (chain.size() >= kMostJoints) return "is beyond the fourth hinge of its leg";
+    return "turns without end, like a wheel";
+  }
+
+  std::size_t depth(const urdf::JointSharedPtr& joint) const {
+    std::size_t deepest = 0;
+    for (const auto& below : movingBelow(childOf(joint))) deepest = std::max(deepest, depth(below));
+    return deepest + (isHinge(*joint) ? 1 : 0);
+  }
+
+  // A chain alone of its length in the middle of a robot whose other chains are alike is an arm, a
+  // neck or a mast; one of a single hinge beside chains of more is an antenna or a wheel.
+  void dropWhatIsNoLeg(std::vector<JointChain>& legs) {
+    std::map<std::size_t, int> of_length;
+    for (const JointChain& leg : legs) ++of_length[leg.size()];
+    // The length of most chains; single hinges only count where there is nothing longer.
+    std::size_t usual = 1;
+    for (const auto& [length, count] : of_length) {
+      if (length > 1 && (usual == 1 || count >= of_length[usual])) usual = length;
+    }
+    const auto end = std::remove_if(legs.begin(), legs.end(), [&](const JointChain& leg) {
+      const bool is_odd =
+          of_length[leg.size()] == 1 && of_length[usual] >= 3 && leg.size() != usual;
+      const bool is_single = leg.size() == 1 && usual > 1;
+      if (!is_odd && !is_single) return false;
+      fixAllFrom(leg.front(), "is not part of a leg");
+      return true;
+    });
+    legs.erase(end, legs.end());
+    if (!legs.empty() && usual == 1 && of_length[usual] == static_cast<int>(legs.size()) &&
+        std::all_of(legs.begin(), legs.end(), [](const JointChain& leg) {
+          return leg.front()->type == urdf::Joint::CONTINUOUS;
+        })) {
+      report_.problems.add(report_.source,
+                           "moves on " + std::to_string(legs.size()) +
+                               " wheels (joints that turn without end, one after the base each); "
+                               "expected legs of hinges with limits.");
+    }
+  }
+
+  void fixAllFrom(const urdf::JointSharedPtr& joint, const std::string& reason) {
+    for (const auto& below : movingBelow(childOf(joint))) fixAllFrom(below, reason);
+    fix(joint, reason);
+  }
+
+  // Where it is at 0, or at the limit nearest to that.
+  void fix(const urdf::JointSharedPtr& joint, const std::string& reason) {
+    double at = 0.0;
+    if (joint->limits && joint->limits->lower < joint->limits->upper) {
+      at = std::clamp(0.0, joint->limits->lower, joint->limits->upper);
+    }
+    urdf::Pose& pose = joint->parent_to_joint_origin_transform;
+    Eigen::Isometry3d parent_from_child = toIsometry(pose);
+    const Eigen::Vector3d axis(joint->axis.x, joint->axis.y, joint->axis.z);
+    if (at != 0.0 && axis.norm() > 1e-9) {
+      if (isHinge(*joint)) parent_from_child.rotate(Eigen::AngleAxisd(at, axis.normalized()));
+      if (joint->type == urdf::Joint::PRISMATIC)
+        parent_from_child.translate(at * axis.normalized());
+      const Eigen::Quaterniond q(parent_from_child.linear());
+      const Eigen::Vector3d p = parent_from_child.translation();
+      pose.rotation = urdf::Rotation(q.x(), q.y(), q.z(), q.w());
+      pose.position = urdf::Vector3(p.x(), p.y(), p.z());
+    }
+    joint->type = urdf::Joint::FIXED;
+    report_.remarks.add("legs", {"joint", joint->name}, reason + ": made fixed.");
+  }
+
+  urdf::ModelInterface& model_;
+  ImportReport& report_;
+};
+
+}  // namespace
+
+urdf::LinkSharedPtr findBaseLink(urdf::ModelInterface& model, ImportReport& report) {
+  const std::set<std::string> frames = {"world", "map", "odom", "base_footprint", "footprint"};
+  urdf::LinkSharedPtr base;
+  model.getLink(model.getRoot()->name, base);
+  while (base->child_joints.size() == 1 && !hasBody(*base) && isFree(*base->child_joints[0]) &&
+         (base->child_joints[0]->type != urdf::Joint::FIXED || frames.count(base->name) > 0)) {
+    report.remarks.add("base", {"link", base->name},
+                       "is a frame above the robot (joint " + base->child_joints[0]->name +
+                           "): the robot starts below it.");
+    base = base->child_links[0];
+  }
+  return base;
+}
+
+std::vector<JointChain> findLegs(urdf::ModelInterface& model, const urdf::LinkSharedPtr& base,
+                                 ImportReport& report) {
+  const std::vector<JointChain> legs = LegFinder(model, report).find(base);
+  if (legs.empty()) {
+    report.problems.add(report.source, "has no legs: no chain of hinges starts at its base link " +
+                                           base->name +
+                                           " (revolute or continuous joints); it has " +
+                                           std::to_string(model.joints_.size()) + " joints.");
+  }
+  return legs;
+}
+
+}  // namespace hexapod

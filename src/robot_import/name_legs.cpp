@@ -1,0 +1,174 @@
+#include "robot_import/name_legs.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <numeric>
+#include <set>
+
+#include "robot/assemble_robot.h"
+
+namespace hexapod {
+namespace {
+
+Eigen::Vector2d hipOf(const Leg& leg) {
+  return leg.segments.front().joint.parent_from_joint.translation().head<2>();
+}
+
+// Where the leg is: its hip, or where it reaches at angle 0 when all hips are in one place.
+Eigen::Vector2d placeOf(const Leg& leg) {
+  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+  for (const Segment& segment : leg.segments) pose = pose * segment.joint.parent_from_joint;
+  return hipOf(leg) + 0.1 * (pose.translation().head<2>() - hipOf(leg));
+}
+
+// Words of a name, in small letters: "LFThigh_joint" -> lf, thigh, joint; "frontLeft2" -> front,
+// left, 2.
+std::set<std::string> wordsOf(const std::string& name) {
+  std::set<std::string> words;
+  std::string word;
+  const auto end = [&] {
+    if (!word.empty()) words.insert(word);
+    word.clear();
+  };
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const auto c = static_cast<unsigned char>(name[i]);
+    const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : 0);
+    if (std::isalpha(c) == 0) {
+      end();
+      continue;
+    }
+    if (std::isupper(c) != 0 && (std::islower(next) != 0) && word.size() != 1) end();
+    word += static_cast<char>(std::tolower(c));
+    if (std::islower(c) != 0 && std::isupper(next) != 0) end();
+  }
+  end();
+  return words;
+}
+
+bool hasAny(const std::set<std::string>& words, const std::vector<std::string>& of) {
+  return std::any_of(of.begin(), of.end(), [&](const auto& word) { return words.count(word) > 0; });
+}
+
+// Mean place of the legs that `of` is said of less that of those that `against` is said of.
+Eigen::Vector2d direction(const RobotDescription& robot, const std::vector<std::string>& of,
+                          const std::vector<std::string>& against) {
+  Eigen::Vector2d sums[2] = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  double counts[2] = {0.0, 0.0};
+  for (const Leg& leg : robot.legs) {
+    std::set<std::string> words;
+    for (const Segment& segment : leg.segments) {
+      for (const std::string& name : {segment.joint.name, segment.body.name}) {
+        const std::set<std::string> more = wordsOf(name);
+        words.insert(more.begin(), more.end());
+      }
+    }
+    const bool is_of = hasAny(words, of), is_against = hasAny(words, against);
+    if (is_of == is_against) continue;
+    sums[is_of ? 0 : 1] += placeOf(leg);
+    counts[is_of ? 0 : 1] += 1.0;
+  }
+  if (counts[0] == 0.0 || counts[1] == 0.0) return Eigen::Vector2d::Zero();
+  return sums[0] / counts[0] - sums[1] / counts[1];
+}
+
+std::string axisOf(const Eigen::Vector2d& forward) {
+  if (std::abs(forward.x()) >= std::abs(forward.y())) return forward.x() >= 0.0 ? "x" : "-x";
+  return forward.y() >= 0.0 ? "y" : "-y";
+}
+
+// "left_front": one of the names of a side of `count` legs, from the front.
+std::string nameOnSide(const std::string& side, std::size_t place, std::size_t count) {
+  if (count == 1) return side;
+  if (count == 2) return side + (place == 0 ? "_front" : "_rear");
+  if (count == 3) return side + (place == 0 ? "_front" : place == 1 ? "_middle" : "_rear");
+  return side + "_" + std::to_string(place + 1);
+}
+
+}  // namespace
+
+void guessForward(ImportedRobot& imported) {
+  const RobotDescription& robot = imported.robot;
+  const Eigen::Vector2d ahead = direction(
+      robot, {"front", "fore", "fl", "fr", "lf", "rf", "f"},
+      {"rear", "hind", "back", "rl", "rr", "lr", "lh", "rh", "hl", "hr", "bl", "br", "lb", "rb"});
+  const Eigen::Vector2d left =
+      direction(robot, {"left", "l", "lf", "lm", "lr", "lh", "lb", "fl", "rl", "hl", "bl", "ml"},
+                {"right", "r", "rf", "rm", "rr", "rh", "rb", "fr", "hr", "br", "mr"});
+  // A quarter turn clockwise takes left to ahead.
+  const Eigen::Vector2d by_sides(left.y(), -left.x());
+  if (ahead.norm() > 1e-6) {
+    imported.forward = axisOf(ahead);
+    imported.forward_reason = "names of the front and rear legs";
+  } else if (by_sides.norm() > 1e-6) {
+    imported.forward = axisOf(by_sides);
+    imported.forward_reason = "names of the left and right legs";
+  } else {
+    Eigen::Vector2d spread = Eigen::Vector2d::Zero();
+    for (const Leg& leg : robot.legs) spread += hipOf(leg).cwiseAbs2();
+    imported.forward = spread.y() > 1.1 * spread.x() ? "y" : "x";
+    imported.forward_reason = "the longer axis of the hips; no names tell";
+  }
+}
+
+void nameLegs(ImportedRobot& imported) {
+  RobotDescription turned = imported.robot;
+  turnForward(imported.forward, turned);
+  std::vector<Eigen::Vector2d> places;
+  double width_m = 0.0;
+  for (const Leg& leg : turned.legs) {
+    places.push_back(placeOf(leg));
+    width_m = std::max(width_m, places.back().norm());
+  }
+  // Clockwise from ahead, negative on the left: left rear comes last on its side.
+  const auto is_on_axis = [&](std::size_t i) { return std::abs(places[i].y()) < 0.05 * width_m; };
+  std::vector<std::size_t> left, right, middle;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    (is_on_axis(i) ? middle : places[i].y() > 0.0 ? left : right).push_back(i);
+  }
+  const auto from_front = [&](std::size_t a, std::size_t b) {
+    return places[a].x() > places[b].x();
+  };
+  std::sort(left.begin(), left.end(), from_front);
+  std::sort(right.begin(), right.end(), from_front);
+  std::sort(middle.begin(), middle.end(), from_front);
+  std::vector<std::pair<std::size_t, std::string>> order;
+  for (std::size_t i = left.size(); i-- > 0;) {
+    order.emplace_back(left[i], nameOnSide("left", i, left.size()));
+  }
+  for (std::size_t i = 0; i < middle.size(); ++i) {
+    const bool is_front = places[middle[i]].x() > 0.0;
+    std::string name = is_front ? "front" : "rear";
+    const bool is_crowded =
+        middle.size() > 2 ||
+        (middle.size() == 2 && places[middle[0]].x() * places[middle[1]].x() > 0.0);
+    if (is_crowded) name = "middle_" + std::to_string(i + 1);
+    const auto at =
+        is_front ? order.begin() + static_cast<std::ptrdiff_t>(left.size()) : order.end();
+    order.emplace(at, middle[i], name);
+  }
+  std::vector<std::pair<std::size_t, std::string>> of_right;
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    of_right.emplace_back(right[i], nameOnSide("right", i, right.size()));
+  }
+  const auto rear = std::find_if(order.begin(), order.end(),
+                                 [&](const auto& entry) { return entry.second == "rear"; });
+  order.insert(rear, of_right.begin(), of_right.end());
+
+  const std::vector<Leg> legs = imported.robot.legs;
+  const std::vector<BodyExtras> extras = imported.extras;
+  std::vector<std::size_t> first(legs.size(), 1);
+  for (std::size_t i = 1; i < legs.size(); ++i)
+    first[i] = first[i - 1] + legs[i - 1].segments.size();
+  imported.robot.legs.clear();
+  imported.extras = {extras[0]};
+  for (const auto& [leg, name] : order) {
+    imported.robot.legs.push_back(legs[leg]);
+    imported.robot.legs.back().name = name;
+    for (std::size_t s = 0; s < legs[leg].segments.size(); ++s) {
+      imported.extras.push_back(extras[first[leg] + s]);
+    }
+  }
+}
+
+}  // namespace hexapod

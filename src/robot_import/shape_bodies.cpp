@@ -1,0 +1,371 @@
+#include "robot_import/shape_bodies.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "common/text.h"
+#include "robot/dimensions.h"
+#include "robot/urdf_bodies.h"
+#include "simulation/kinematics.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::size_t kMostShapesOfBase = 6;
+constexpr std::size_t kMostShapesOfSegment = 3;
+
+// Points that span a shape, for fitting another one around it.
+Points spanOf(const Shape& shape) {
+  Points points;
+  for (const Eigen::Vector3d& core : corePoints(shape)) {
+    if (shape.kind == Shape::Kind::kBox) {
+      points.push_back(core);
+      continue;
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      const Eigen::Vector3d out = shape.radius_m * shape.body_from_shape.linear().col(axis);
+      points.push_back(core + out);
+      points.push_back(core - out);
+    }
+  }
+  return points;
+}
+
+void append(const Points& more, Points& points) {
+  points.insert(points.end(), more.begin(), more.end());
+}
+
+Shape shapeOf(const urdf::Geometry& geometry, const Eigen::Isometry3d& body_from_shape) {
+  Shape shape;
+  shape.body_from_shape = body_from_shape;
+  shape.kind = Shape::Kind::kBox;
+  if (const auto* box = dynamic_cast<const urdf::Box*>(&geometry)) {
+    shape.size_m = Eigen::Vector3d(box->dim.x, box->dim.y, box->dim.z);
+  } else if (const auto* cylinder = dynamic_cast<const urdf::Cylinder*>(&geometry)) {
+    shape.size_m =
+        Eigen::Vector3d(2.0 * cylinder->radius, 2.0 * cylinder->radius, cylinder->length);
+  } else if (const auto* sphere = dynamic_cast<const urdf::Sphere*>(&geometry)) {
+    shape.kind = Shape::Kind::kSphere;
+    shape.radius_m = sphere->radius;
+  }
+  return shape;
+}
+
+Points pointsOf(const std::vector<Look>& looks) {
+  Points points;
+  for (const Look& look : looks) {
+    for (const Eigen::Vector3d& vertex : look.mesh.vertices) {
+      points.push_back(look.body_from_look * vertex);
+    }
+    if (dynamic_cast<const urdf::Mesh*>(look.geometry.get()) != nullptr) continue;
+    append(spanOf(shapeOf(*look.geometry, look.body_from_look)), points);
+  }
+  return points;
+}
+
+// Shapes of a robot whose meshes are not at hand, from its joints and masses alone.
+class ShapeGuesser {
+ public:
+  ShapeGuesser(ImportedRobot& imported, ImportReport& report)
+      : imported_(imported), report_(report) {}
+
+  void guess() {
+    if (imported_.robot.base.shapes.empty() && imported_.robot.base.mass_kg > 0.0) guessBase();
+    std::size_t b = 1;
+    for (Leg& leg : imported_.robot.legs) {
+      const std::size_t first = b;
+      b += leg.segments.size();
+      const bool has_shape = std::any_of(leg.segments.begin(), leg.segments.end(),
+                                         [](const Segment& s) { return !s.body.shapes.empty(); });
+      const bool has_mass = std::any_of(leg.segments.begin(), leg.segments.end(),
+                                        [](const Segment& s) { return s.body.mass_kg > 0.0; });
+      if (!has_shape && has_mass) guessLeg(leg, first);
+    }
+  }
+
+ private:
+  // A plate between the hips.
+  void guessBase() {
+    Body& base = imported_.robot.base;
+    Points hips;
+    for (const Leg& leg : imported_.robot.legs) {
+      hips.push_back(leg.segments.front().joint.parent_from_joint.translation());
+    }
+    Shape plate = fitBox(hips);
+    plate.size_m.z() = std::max(plate.size_m.z(), 0.15 * plate.size_m.maxCoeff());
+    base.shapes.push_back(plate);
+    remark(base);
+  }
+
+  // Rods from joint to joint, and on to where the last link must end.
+  void guessLeg(Leg& leg, std::size_t first) {
+    double length_m = 0.0;
+    for (std::size_t s = 1; s < leg.segments.size(); ++s) {
+      length_m += leg.segments[s].joint.parent_from_joint.translation().norm();
+    }
+    const double radius_m = std::max(0.002, 0.05 * length_m);
+    for (std::size_t s = 0; s < leg.segments.size(); ++s) {
+      Body& body = leg.segments[s].body;
+      const bool is_last = s + 1 == leg.segments.size();
+      const Eigen::Vector3d end = is_last
+                                      ? tipOf(body, imported_.extras[first + s])
+                                      : leg.segments[s + 1].joint.parent_from_joint.translation();
+      if (end.norm() < 2.0 * radius_m) continue;
+      body.shapes.push_back(rod(end, radius_m));
+      remark(body);
+    }
+  }
+
+  // The farthest frame that is fixed to it, or twice as far as its centre of mass.
+  static Eigen::Vector3d tipOf(const Body& body, const BodyExtras& extras) {
+    Eigen::Vector3d tip = 2.0 * body.center_of_mass_m;
+    double farthest_m = body.center_of_mass_m.norm();
+    for (const Frame& frame : extras.frames) {
+      const Eigen::Vector3d at = frame.body_from_link.translation();
+      if (at.norm() <= farthest_m) continue;
+      farthest_m = at.norm();
+      tip = at;
+    }
+    return tip;
+  }
+
+  void remark(const Body& body) {
+    report_.remarks.add("shapes", {"link", body.name},
+                        "has no shape that could be read: guessed from the joints, from the frames "
+                        "fixed to it and its centre of mass. Check the picture.");
+  }
+
+  ImportedRobot& imported_;
+  ImportReport& report_;
+};
+
+class Shaper {
+ public:
+  explicit Shaper(ImportReport& report) : report_(report) {}
+
+  void shapeBase(Body& base, BodyExtras& extras) {
+    takeLooksIfBare(base, extras);
+    if (!extras.collision_points.empty()) base.shapes.push_back(fitBox(extras.collision_points));
+    dropInner(base);
+    if (base.shapes.size() <= kMostShapesOfBase) return;
+    base.shapes = {fitBox(spanOfAll(base))};
+    remark(base, "has more than 6 shapes: simulated as one box around them.");
+  }
+
+  void shapeSegment(Body& body, BodyExtras& extras, bool is_last) {
+    takeLooksIfBare(body, extras);
+    if (!extras.collision_points.empty()) {
+      body.shapes.push_back(fit(extras.collision_points, is_last));
+    }
+    for (Shape& shape : body.shapes) {
+      if (shape.kind != Shape::Kind::kBox) continue;
+      shape = fitCapsule(corePoints(shape));
+      remark(body, "has a box: simulated as a capsule of its length.");
+    }
+    dropInner(body);
+    if (body.shapes.size() <= kMostShapesOfSegment) return;
+    body.shapes = {fit(spanOfAll(body), is_last)};
+    remark(body, "has more than 3 shapes: simulated as one capsule.");
+  }
+
+ private:
+  // The last link's root is its joint, the origin of its frame.
+  static Shape fit(const Points& points, bool is_last) {
+    return is_last ? fitTip(points, Eigen::Vector3d::Zero()) : fitCapsule(points);
+  }
+
+  static Points spanOfAll(const Body& body) {
+    Points points;
+    for (const Shape& shape : body.shapes) append(spanOf(shape), points);
+    return points;
+  }
+
+  void takeLooksIfBare(const Body& body, BodyExtras& extras) {
+    if (extras.meshes > 0 && !extras.collision_points.empty()) {
+      remark(body, "has a mesh to collide with: simulated as a shape fitted to it.");
+    }
+    if (!body.shapes.empty() || !extras.collision_points.empty()) return;
+    extras.collision_points = pointsOf(extras.looks);
+    if (extras.collision_points.empty()) return;
+    remark(body, "has no collision shape: simulated as a shape fitted to what it looks like.");
+  }
+
+  void dropInner(Body& body) {
+    std::vector<Shape> kept;
+    for (std::size_t i = 0; i < body.shapes.size(); ++i) {
+      bool is_inner = false;
+      for (std::size_t j = 0; j < body.shapes.size() && !is_inner; ++j) {
+        if (i == j || !isInside(body.shapes[i], body.shapes[j])) continue;
+        // Of two that are inside each other the first stays.
+        is_inner = j < i || !isInside(body.shapes[j], body.shapes[i]);
+      }
+      if (!is_inner) kept.push_back(body.shapes[i]);
+    }
+    if (kept.size() < body.shapes.size()) remark(body, "has shapes inside others: left out.");
+    body.shapes = kept;
+  }
+
+  void remark(const Body& body, const std::string& sentence) {
+    report_.remarks.add("shapes", {"link", body.name}, sentence);
+  }
+
+  ImportReport& report_;
+};
+
+// Shapes of one body, posed in the base.
+std::vector<Shape> posed(const Body& body, const Eigen::Isometry3d& base_from_body) {
+  std::vector<Shape> shapes = body.shapes;
+  for (Shape& shape : shapes) shape.body_from_shape = base_from_body * shape.body_from_shape;
+  return shapes;
+}
+
+struct Placed {
+  std::size_t leg;
+  Body* body;
+  Eigen::Isometry3d base_from_body;
+};
+
+std::vector<Placed> segmentsInNeutralPose(RobotDescription& robot) {
+  const auto poses = baseFromBodies(robot, robot.neutralPose());
+  std::vector<Placed> placed;
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    for (Segment& segment : robot.legs[leg].segments) {
+      placed.push_back({leg, &segment.body, poses[placed.size() + 1]});
+    }
+  }
+  return placed;
+}
+
+// The pair of shapes of different legs that touch, or nullptrs.
+std::pair<Shape*, Shape*> touching(const std::vector<Placed>& segments, double least_gap_m,
+                                   std::pair<Body*, Body*>& of) {
+  for (const Placed& a : segments) {
+    for (const Placed& b : segments) {
+      if (a.leg >= b.leg) continue;
+      const auto first = posed(*a.body, a.base_from_body);
+      const auto second = posed(*b.body, b.base_from_body);
+      for (std::size_t i = 0; i < first.size(); ++i) {
+        for (std::size_t j = 0; j < second.size(); ++j) {
+          if (gap_m(first[i], second[j]) >= least_gap_m) continue;
+          of = {a.body, b.body};
+          return {&a.body->shapes[i], &b.body->shapes[j]};
+        }
+      }
+    }
+  }
+  return {nullptr, nullptr};
+}
+
+double densityOf(const Body& body) {
+  double volume = 0.0;
+  for (const Shape& shape : body.shapes) volume += volume_m3(shape);
+  return volume > 0.0 ? body.mass_kg / volume : 0.0;
+}
+
+void inertiaFromShapes(Body& body, double smallest_m) {
+  double volume = 0.0;
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
+  for (const Shape& shape : body.shapes) {
+    volume += volume_m3(shape);
+    center += volume_m3(shape) * shape.body_from_shape.translation();
+  }
+  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
+  // Never less than a ball's of the smallest size.
+  body.inertia_kg_m2 = 0.4 * body.mass_kg * smallest_m * smallest_m * one;
+  if (volume <= 0.0) return;
+  body.center_of_mass_m = center / volume;
+  const double density = body.mass_kg / volume;
+  for (const Shape& shape : body.shapes) {
+    const Eigen::Vector3d arm = shape.body_from_shape.translation() - body.center_of_mass_m;
+    body.inertia_kg_m2 +=
+        density * solidInertia(shape) +
+        density * volume_m3(shape) * (arm.squaredNorm() * one - arm * arm.transpose());
+  }
+}
+
+}  // namespace
+
+void shapeBodies(ImportedRobot& imported, ImportReport& report) {
+  Shaper shaper(report);
+  forEachBody(imported, [&](Body& body, BodyExtras& extras, bool is_last, bool is_base) {
+    if (is_base) {
+      shaper.shapeBase(body, extras);
+    } else {
+      shaper.shapeSegment(body, extras, is_last);
+    }
+  });
+  ShapeGuesser(imported, report).guess();
+  for (const Leg& leg : imported.robot.legs) {
+    const bool has_shape = std::any_of(leg.segments.begin(), leg.segments.end(),
+                                       [](const Segment& s) { return !s.body.shapes.empty(); });
+    if (has_shape) continue;
+    report.problems.add(report.source, {"leg", leg.segments.front().joint.name},
+                        "has neither shape nor mass in any of its links; expected something to "
+                        "stand on.");
+  }
+  if (imported.robot.base.shapes.empty()) {
+    report.problems.add(report.source, {"link", imported.robot.base_link},
+                        "has neither shape nor mass; expected a body, so that a fall is seen.");
+  }
+}
+
+void separateLegs(ImportedRobot& imported, ImportReport& report) {
+  constexpr double kLeastGap_m = 0.001;
+  constexpr double kThinner = 0.85;
+  constexpr double kThinnest = 0.003;
+  const std::vector<Placed> segments = segmentsInNeutralPose(imported.robot);
+  std::pair<Body*, Body*> of;
+  for (auto pair = touching(segments, kLeastGap_m, of); pair.first != nullptr;
+       pair = touching(segments, kLeastGap_m, of)) {
+    for (const auto& [shape, body] : {std::pair{pair.first, of.first}, {pair.second, of.second}}) {
+      report.remarks.add("shapes", {"link", body->name},
+                         "touches another leg in the neutral pose: made thinner, or left out.");
+      shape->radius_m *= kThinner;
+      if (shape->radius_m > kThinnest) continue;
+      body->shapes.erase(body->shapes.begin() + (shape - body->shapes.data()));
+    }
+  }
+}
+
+void repairMasses(ImportedRobot& imported, ImportReport& report) {
+  constexpr double kDensity_kg_per_m3 = 500.0;
+  constexpr double kLeastShare = 1e-3;
+  constexpr double kSmallestShare = 0.02;
+  std::vector<double> densities;
+  double total_kg = 0.0;
+  forEachBody(imported, [&](Body& body, BodyExtras&, bool, bool) {
+    if (!(body.mass_kg > 0.0)) return;
+    total_kg += body.mass_kg;
+    if (densityOf(body) > 0.0) densities.push_back(densityOf(body));
+  });
+  std::sort(densities.begin(), densities.end());
+  const double density = densities.empty()
+                             ? kDensity_kg_per_m3
+                             : std::clamp(densities[densities.size() / 2], 100.0, 3000.0);
+  const double smallest_m = kSmallestShare * legReach_m(imported.robot);
+  forEachBody(imported, [&](Body& body, BodyExtras&, bool, bool) {
+    bool is_sound = body.mass_kg > 0.0 && isPossibleInertia(body.inertia_kg_m2);
+    if (!(body.mass_kg > 0.0)) {
+      for (const Shape& shape : body.shapes) body.mass_kg += density * volume_m3(shape);
+      report.remarks.add("masses", {"link", body.name},
+                         "has no mass: taken from its shapes with " +
+                             numberText(std::round(density)) + " kg/m^3.");
+    } else if (!is_sound) {
+      report.remarks.add("masses", {"link", body.name},
+                         "has no possible inertia: taken from its shapes and mass.");
+    } else if (isAbsurdInertia(body)) {
+      is_sound = false;
+      report.remarks.add("masses", {"link", body.name},
+                         "has an inertia far beyond its shapes: replaced by that of its shapes.");
+    }
+    if (body.mass_kg < kLeastShare * total_kg) {
+      body.mass_kg = std::max(kLeastShare * total_kg, 1e-4);
+      is_sound = false;
+      report.remarks.add("masses", {"link", body.name},
+                         "is lighter than a thousandth of the robot: taken as that heavy.");
+    }
+    if (!is_sound) inertiaFromShapes(body, smallest_m);
+  });
+}
+
+}  // namespace hexapod
