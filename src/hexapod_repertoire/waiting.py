@@ -61,8 +61,19 @@ class Walker:
     def __init__(self) -> None:
         self._client = actionlib.ActionClient("walk_to", WalkToAction)
         self._status = Latest("walk_to/status", GoalStatusArray)
-        self._status.wait(lambda _: True, ACTION_PATIENCE_S,
-                          "No planner answers on the action walk_to; start it.")
+        # A goal that is sent before all topics are connected is lost.
+        end_s = time.monotonic() + ACTION_PATIENCE_S
+        while not self._is_connected():
+            if rospy.is_shutdown():
+                raise rospy.ROSInterruptException("The session ended.")
+            if time.monotonic() > end_s:
+                raise Silence("No planner answers on the action walk_to; start it.")
+            time.sleep(STEP_S)
+
+    def _is_connected(self) -> bool:
+        client = self._client
+        topics = (client.pub_goal, client.pub_cancel, client.status_sub, client.result_sub)
+        return all(topic.get_num_connections() > 0 for topic in topics)
 
     def walk(self, goal: WalkToGoal) -> WalkToResult:
         """Sends the goal and waits for its end; Silence when the planner falls silent."""
@@ -73,9 +84,16 @@ class Walker:
                 ended.set()
 
         handle = self._client.send_goal(goal, on_change)
+        sent_s = time.monotonic()
         while not ended.wait(STEP_S):
             if rospy.is_shutdown():
                 raise rospy.ROSInterruptException("The session ended.")
             if self._status.silent_s() > ACTION_PATIENCE_S:
                 raise Silence("The planner fell silent in the middle of a walk; see its log.")
-        return handle.get_result()
+            unheard = handle.get_comm_state() == actionlib.CommState.WAITING_FOR_GOAL_ACK
+            if unheard and time.monotonic() - sent_s > ACTION_PATIENCE_S:
+                raise Silence("The planner says nothing of the goal it was sent; see its log.")
+        result = handle.get_result()
+        if result is None:
+            raise Silence("The planner forgot the goal it was sent: it was started anew.")
+        return result
