@@ -42,6 +42,15 @@ AdaptivePlanner::AdaptivePlanner(const Repertoire& repertoire, const PlannerOpti
 AdaptivePlanner::AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier)
     : AdaptivePlanner(repertoire, earlier.options_, earlier.foresight_) {}
 
+AdaptivePlanner::AdaptivePlanner(const AdaptivePlanner& like, std::shared_ptr<Foresight> foresight)
+    : repertoire_(like.repertoire_),
+      options_(like.options_),
+      foresight_(std::move(foresight)),
+      expected_(foresight_ ? foresight_->expected(repertoire_) : repertoire_),
+      planner_(expected_ == like.expected_
+                   ? like.planner()
+                   : std::make_shared<const Planner>(*expected_, options_)) {}
+
 std::shared_ptr<const Planner> AdaptivePlanner::planner() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return planner_;

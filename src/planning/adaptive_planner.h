@@ -24,6 +24,9 @@ class AdaptivePlanner {
   /// from now on in a walk that still goes on with it.
   AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier);
 
+  /// For another robot that walks with the same repertoire and options.
+  AdaptivePlanner(const AdaptivePlanner& like, std::shared_ptr<Foresight> foresight);
+
   const Repertoire& repertoire() const { return *repertoire_; }
 
   /// Plans along these paths from now on. By the thread of observe().

@@ -35,10 +35,19 @@ WorldState standingState(const RobotDescription& robot) {
   return state;
 }
 
+Eigen::Isometry3d baseOf(const RobotDescription& robot, const WorldState& state) {
+  const double* v = state.values.data();
+  Eigen::Isometry3d world_from_base = Eigen::Isometry3d::Identity();
+  world_from_base.linear() = Eigen::Quaterniond(v[3], v[4], v[5], v[6]).toRotationMatrix();
+  world_from_base.translation() =
+      Eigen::Vector3d(v) - world_from_base.linear() * robot.base.center_of_mass_m;
+  return world_from_base;
+}
+
 WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldState state,
-                             std::size_t body_count) {
-  const Eigen::Quaterniond turn(
-      Eigen::AngleAxisd(-footprint(world_from_base).yaw_rad, Eigen::Vector3d::UnitZ()));
+                             std::size_t body_count, double heading_rad) {
+  const Eigen::Quaterniond turn(Eigen::AngleAxisd(heading_rad - footprint(world_from_base).yaw_rad,
+                                                  Eigen::Vector3d::UnitZ()));
   const Eigen::Vector3d start(world_from_base.translation().x(), world_from_base.translation().y(),
                               0.0);
   for (std::size_t b = 0; b < body_count; ++b) {

@@ -13,9 +13,13 @@ constexpr std::size_t kStateValuesPerBody = 13;
 /// The neutral pose, level, at rest, the lowest shape just on the floor, targets neutral.
 WorldState standingState(const RobotDescription& robot);
 
-/// The same robot moved over the floor so that its footprint comes to lie at (0, 0), heading 0.
+/// Pose of the base's link in a state.
+Eigen::Isometry3d baseOf(const RobotDescription& robot, const WorldState& state);
+
+/// The same robot moved over the floor so that its footprint comes to lie at (0, 0) with the given
+/// heading. (Headings differ a little: ODE bounds friction along x and along y.)
 WorldState footprintAtOrigin(const Eigen::Isometry3d& world_from_base, WorldState state,
-                             std::size_t body_count);
+                             std::size_t body_count, double heading_rad = 0.0);
 
 /// Throws std::runtime_error: the robot, put on the floor like this, came to that verdict instead
 /// of standing still.

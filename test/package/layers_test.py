@@ -13,13 +13,15 @@ ROS_HEADER = re.compile(
 # Station, and the stations it must never know.
 STRANGERS = [
     ("geometry", {"robot", "gait", "simulation", "repertoire", "evolution", "planning"}),
-    ("simulation", {"evolution", "evaluation", "learning", "study", "planning", "execution"}),
+    ("simulation", {"evolution", "evaluation", "learning", "study", "planning", "self_model",
+                    "execution"}),
     ("repertoire", {"evolution", "simulation", "evaluation", "planning", "execution"}),
     ("evolution", {"simulation", "evaluation", "planning", "execution"}),
     ("evaluation", {"learning", "study", "planning", "execution"}),
     ("learning", {"study"}),
-    ("planning", {"evolution", "simulation", "evaluation", "learning", "study"}),
-    ("execution", {"evolution", "simulation", "evaluation", "learning", "study"}),
+    ("planning", {"evolution", "simulation", "evaluation", "learning", "study", "self_model"}),
+    ("self_model", {"evolution", "evaluation", "learning", "study", "execution"}),
+    ("execution", {"evolution", "simulation", "evaluation", "learning", "study", "self_model"}),
     ("ros_interface/common", {"simulation", "evolution", "evaluation", "learning", "planning",
                               "execution"}),
     ("ros_interface/executor", {"simulation", "evolution", "evaluation", "learning", "planning"}),

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "gait/behavior_options.h"
+#include "repertoire/repertoire.h"
+#include "simulation/world.h"
+
+namespace hexapod {
+
+/// How the entries of a repertoire are played, and the physics they were learned in.
+struct LearnedWorld {
+  BehaviorOptions behavior;
+  Physics physics;
+};
+
+/// From the options that the repertoire keeps; defaults for those it does not. Throws
+/// std::invalid_argument when one is out of range.
+LearnedWorld learnedWorldOf(const Repertoire& repertoire);
+
+}  // namespace hexapod

@@ -1,0 +1,201 @@
+#include "self_model/self_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hexapod {
+namespace {
+
+// Bodies less likely than this do not matter to what is expected.
+constexpr double kUnlikely = 0.1;
+// How far an expected end pose is off before anything was walked, worth kPriorCount behaviours.
+constexpr double kPriorError_m = 0.005;
+constexpr double kPriorError_rad = 0.012;
+constexpr double kPriorCount = 4.0;
+constexpr double kFading = 0.9;
+// A planner shall trust these spreads as they are.
+constexpr int kTrials = 50;
+// Slopes that move the robot less than its errors do are none [rad].
+constexpr double kFlat_rad = 0.004;
+constexpr std::size_t kDriftEntries = 24;
+
+SeenBehavior seenBy(const WalkedStep& step) {
+  return {step.entry.genome, step.world_from_before, step.world_from_after, step.joints};
+}
+
+// A weighted mean of poses, and how far they are apart.
+class Mixture {
+ public:
+  void add(const Pose2& pose, double weight) {
+    poses_.push_back(pose);
+    weights_.push_back(weight);
+  }
+
+  Execution execution(double square_m2, double square_rad2) const {
+    Execution execution;
+    double sum = 0.0, x = 0.0, y = 0.0, c = 0.0, s = 0.0;
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      sum += weights_[i];
+      x += weights_[i] * poses_[i].x_m;
+      y += weights_[i] * poses_[i].y_m;
+      c += weights_[i] * std::cos(poses_[i].yaw_rad);
+      s += weights_[i] * std::sin(poses_[i].yaw_rad);
+    }
+    execution.mean = {x / sum, y / sum, std::atan2(s, c)};
+    for (std::size_t i = 0; i < poses_.size(); ++i) {
+      const double share = weights_[i] / sum;
+      square_m2 += share * std::pow(distance(poses_[i], execution.mean), 2);
+      square_rad2 += share * std::pow(headingDistance(poses_[i], execution.mean), 2);
+    }
+    execution.spread_m = std::sqrt(square_m2);
+    execution.spread_rad = std::sqrt(square_rad2);
+    execution.trials = kTrials;
+    return execution;
+  }
+
+ private:
+  std::vector<Pose2> poses_;
+  std::vector<double> weights_;
+};
+
+}  // namespace
+
+SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
+                     const SelfModelOptions& options, const std::optional<Physics>& told)
+    : imagination_(std::make_shared<Imagination>(
+          robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
+      belief_(told ? BodyBelief(imagination_, *told)
+                   : BodyBelief(imagination_, learned.physics, options.belief)),
+      square_m2_(kPriorCount * kPriorError_m * kPriorError_m),
+      square_rad2_(kPriorCount * kPriorError_rad * kPriorError_rad),
+      count_(kPriorCount) {}
+
+SelfModel::SelfModel(const SelfModel& other)
+    : SelfModel(other, std::lock_guard<std::mutex>(other.mutex_)) {}
+
+SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
+    : imagination_(other.imagination_),
+      belief_(other.belief_),
+      heading_rad_(other.heading_rad_),
+      revision_(other.revision_),
+      expected_(other.expected_),
+      drift_m_(other.drift_m_),
+      square_m2_(other.square_m2_),
+      square_rad2_(other.square_rad2_),
+      count_(other.count_) {}
+
+BodyBelief SelfModel::belief() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return belief_;
+}
+
+Eigen::Vector2d SelfModel::drift_m() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return drift_m_;
+}
+
+void SelfModel::observe(const WalkedStep& step) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  learnErrors(step);
+  belief_.observe(seenBy(step));
+  heading_rad_ = step.world_from_after.yaw_rad;
+  ++revision_;
+}
+
+void SelfModel::learnErrors(const WalkedStep& step) {
+  if (!expected_.repertoire) return;
+  for (const Entry& entry : expected_.repertoire->entries) {
+    if (entry.id != step.entry.id || !entry.execution) continue;
+    Pose2 predicted = step.world_from_before * entry.execution->mean;
+    predicted.x_m += drift_m_.x();
+    predicted.y_m += drift_m_.y();
+    // What was far off has changed the belief, and says little of how good the new one is.
+    const double off_m = std::min(distance(predicted, step.world_from_after), 3.0 * kPriorError_m);
+    const double off_rad =
+        std::min(headingDistance(predicted, step.world_from_after), 3.0 * kPriorError_rad);
+    square_m2_ = kFading * square_m2_ + off_m * off_m;
+    square_rad2_ = kFading * square_rad2_ + off_rad * off_rad;
+    count_ = kFading * count_ + 1.0;
+    return;
+  }
+}
+
+std::shared_ptr<const Repertoire> SelfModel::expected(
+    const std::shared_ptr<const Repertoire>& repertoire) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (belief_.bodies().empty()) return repertoire;
+  if (expected_.of == repertoire && expected_.revision == revision_) return expected_.repertoire;
+  findDrift(*repertoire);
+  expected_ = {repertoire, imagine(*repertoire), revision_};
+  return expected_.repertoire;
+}
+
+std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoire) {
+  std::vector<Genome> genomes;
+  for (const Entry& entry : repertoire.entries) genomes.push_back(entry.genome);
+  std::vector<Mixture> ends(genomes.size());
+  std::vector<bool> fails(genomes.size(), false);
+  const Pose2 heading{0.0, 0.0, heading_rad_};
+  const Pose2 drift = inverse(heading) * Pose2{drift_m_.x(), drift_m_.y(), heading_rad_};
+  for (std::size_t b = 0; b < belief_.bodies().size(); ++b) {
+    const double probability = belief_.probability(b);
+    if (b > 0 && probability < kUnlikely) break;
+    const BelievedBody& body = belief_.bodies()[b];
+    const std::vector<Outcome> outcomes =
+        imagination_->playAll(genomes, {belief_.physicsOf(body), &body.state});
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+      Pose2 end = outcomes[i].end_pose;
+      end.x_m -= drift.x_m;
+      end.y_m -= drift.y_m;
+      fails[i] = fails[i] || !outcomes[i].walked();
+      ends[i].add(end, probability);
+    }
+  }
+  auto expected = std::make_shared<Repertoire>(repertoire);
+  for (std::size_t i = 0; i < genomes.size(); ++i) {
+    // Half of what the start states scattered it by remains when the start state is known.
+    const Execution stored = repertoire.entries[i].execution.value_or(Execution{});
+    Execution execution =
+        ends[i].execution(square_m2_ / count_ + std::pow(0.5 * stored.spread_m, 2),
+                          square_rad2_ / count_ + std::pow(0.5 * stored.spread_rad, 2));
+    execution.falls = fails[i] ? 1 : 0;
+    expected->entries[i].execution = execution;
+  }
+  return expected;
+}
+
+// What a slope does to behaviours in the world, whatever their heading: the mean over some of the
+// repertoire and four headings.
+void SelfModel::findDrift(const Repertoire& repertoire) {
+  drift_m_.setZero();
+  const BelievedBody& body = belief_.bodies().front();
+  const double slope_rad = std::hypot(body.mean[kSlopeX], body.mean[kSlopeY]);
+  if (slope_rad < kFlat_rad || repertoire.entries.empty()) return;
+  std::vector<Genome> genomes;
+  const std::size_t every = std::max<std::size_t>(1, repertoire.entries.size() / kDriftEntries);
+  for (std::size_t i = 0; i < repertoire.entries.size(); i += every) {
+    genomes.push_back(repertoire.entries[i].genome);
+  }
+  BelievedBody level = body;
+  level.mean[kSlopeX] = level.mean[kSlopeY] = 0.0;
+  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
+  double count = 0.0;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const double heading_rad = heading_rad_ + 0.5 * M_PI * quarter;
+    const WorldState start = imagination_->turned(body.state, heading_rad);
+    const std::vector<Outcome> there =
+        imagination_->playAll(genomes, {belief_.physicsOf(level), &start});
+    const std::vector<Outcome> here =
+        imagination_->playAll(genomes, {belief_.physicsOf(body), &start});
+    const Pose2 heading{0.0, 0.0, heading_rad};
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+      if (!here[i].walked() || !there[i].walked()) continue;
+      const Pose2 drifted = heading * here[i].end_pose, level_end = heading * there[i].end_pose;
+      sum_m += Eigen::Vector2d(drifted.x_m - level_end.x_m, drifted.y_m - level_end.y_m);
+      count += 1.0;
+    }
+  }
+  if (count > 0.0) drift_m_ = sum_m / count;
+}
+
+}  // namespace hexapod

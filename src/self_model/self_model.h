@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "planning/foresight.h"
+#include "self_model/body_belief.h"
+#include "self_model/learned_world.h"
+
+namespace hexapod {
+
+/// How a robot simulates itself.
+struct SelfModelOptions {
+  BeliefOptions belief;
+  std::string engine = "reduced";
+  int threads = 0;  ///< 0: as many as the machine has cores
+};
+
+/// The Foresight of a robot that simulates itself: after every behaviour it believes what body
+/// explains what was measured (BodyBelief), and expects of its repertoire what that body makes of
+/// it.
+///
+/// The repertoire is played in the most likely bodies, each from the state in which the last
+/// behaviour is thought to have left it: exact for the next behaviour, as good as any start for
+/// those after it. What fails in a body that is not unlikely is left out. Spreads come from how far
+/// bodies disagree, and from how far the expected end poses were off so far.
+class SelfModel : public Foresight {
+ public:
+  /// With `told`, the robot has that body for sure; nothing is believed, the repertoire is played
+  /// in it.
+  SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
+            const SelfModelOptions& options, const std::optional<Physics>& told = std::nullopt);
+
+  /// A robot of its own that knows as much.
+  SelfModel(const SelfModel& other);
+
+  void observe(const WalkedStep& step) override;
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override;
+  Eigen::Vector2d drift_m() const override;
+
+  /// A copy of what is believed now.
+  BodyBelief belief() const;
+
+ private:
+  struct Expected {
+    std::shared_ptr<const Repertoire> of;
+    std::shared_ptr<const Repertoire> repertoire;
+    int revision = 0;
+  };
+
+  void learnErrors(const WalkedStep& step);
+  std::shared_ptr<const Repertoire> imagine(const Repertoire& repertoire);
+  void findDrift(const Repertoire& repertoire);
+
+  SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>& lock_of_other);
+
+  const std::shared_ptr<const Imagination> imagination_;
+  mutable std::mutex mutex_;
+  BodyBelief belief_;
+  double heading_rad_ = 0.0;  // in which the robot stands
+  int revision_ = 0;          // of the belief
+  Expected expected_;
+  Eigen::Vector2d drift_m_ = Eigen::Vector2d::Zero();
+  // Squares of how far expected end poses were off, and their number, fading.
+  double square_m2_, square_rad2_, count_;
+};
+
+}  // namespace hexapod

@@ -1,0 +1,109 @@
+#include "self_model/self_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+
+#include "simulation/rollout.h"
+#include "walked_body.h"
+
+namespace hexapod {
+namespace {
+
+std::shared_ptr<const Repertoire> repertoire() {
+  auto made = std::make_shared<Repertoire>();
+  for (const Genome& gait : walkingGaits()) {
+    Entry entry;
+    entry.id = static_cast<std::int64_t>(made->entries.size()) + 1;
+    entry.genome = gait;
+    made->entries.push_back(entry);
+  }
+  return made;
+}
+
+SelfModelOptions oneThread() {
+  SelfModelOptions options;
+  options.threads = 1;
+  return options;
+}
+
+WalkedStep stepOf(const Entry& entry, const SeenBehavior& seen) {
+  return {entry, seen.world_from_before, seen.world_from_after, {}};
+}
+
+double off_m(const SelfModel& self_model, const Entry& expected, const SeenBehavior& seen) {
+  Pose2 end = seen.world_from_before * expected.execution->mean;
+  end.x_m += self_model.drift_m().x();
+  end.y_m += self_model.drift_m().y();
+  return distance(end, seen.world_from_after);
+}
+
+TEST(SelfModel, ForeseesTheNextBehaviourOfAnIntactRobot) {
+  const auto known = repertoire();
+  WalkedBody body("");
+  SelfModel self_model(body.robot(), LearnedWorld(), oneThread());
+  for (int i = 0; i < 6; ++i) {
+    const std::size_t k = i % known->entries.size();
+    const auto expected = self_model.expected(known);
+    const SeenBehavior seen = body.walk(known->entries[k].genome);
+    EXPECT_LT(off_m(self_model, expected->entries[k], seen), 1e-4);
+    self_model.observe(stepOf(known->entries[k], seen));
+  }
+}
+
+TEST(SelfModel, ForeseesADamagedRobotOnASlopeAfterTwoBehaviours) {
+  const auto known = repertoire();
+  Physics slope;
+  slope.slope_x_rad = 0.02;
+  slope.slope_y_rad = -0.02;
+  WalkedBody body("left_middle: lifted", slope);
+  SelfModel self_model(body.robot(), LearnedWorld(), oneThread());
+  for (int i = 0; i < 6; ++i) {
+    const std::size_t k = i % known->entries.size();
+    const auto expected = self_model.expected(known);
+    const SeenBehavior seen = body.walk(known->entries[k].genome);
+    const double off = off_m(self_model, expected->entries[k], seen);
+    EXPECT_TRUE(i != 0 || off > 0.04) << off;
+    EXPECT_TRUE(i < 3 || off < 0.02) << i << ": " << off;
+    self_model.observe(stepOf(known->entries[k], seen));
+  }
+  // Downhill.
+  EXPECT_LT(self_model.drift_m().x(), -0.005);
+  EXPECT_GT(self_model.drift_m().y(), 0.005);
+}
+
+TEST(SelfModel, LeavesOutWhatFailsInItsBody) {
+  const auto known = repertoire();
+  Physics told;
+  told.legs = legStatesFromText(shippedRobot(), "left_rear: lifted, right_front: lifted");
+  SelfModel self_model(shippedRobot(), LearnedWorld(), oneThread(), told);
+  const auto expected = self_model.expected(known);
+  ASSERT_EQ(expected->entries.size(), known->entries.size());
+  for (std::size_t i = 0; i < known->entries.size(); ++i) {
+    EXPECT_EQ(expected->entries[i].id, known->entries[i].id);
+    WalkedBody body("left_rear: lifted, right_front: lifted");
+    const auto world = makeWorld(Engine::kReduced, body.robot(), told);
+    const Outcome outcome =
+        play(*world, Behavior(body.robot(), known->entries[i].genome, BehaviorOptions()), 0.030);
+    EXPECT_EQ(expected->entries[i].usable(), outcome.walked());
+    if (!outcome.walked()) continue;
+    EXPECT_LT(distance(expected->entries[i].execution->mean, outcome.end_pose), 1e-4);
+  }
+}
+
+TEST(SelfModel, ExpectsTheSameUntilItHasSeenMore) {
+  const auto known = repertoire();
+  SelfModel self_model(shippedRobot(), LearnedWorld(), oneThread());
+  const auto expected = self_model.expected(known);
+  EXPECT_EQ(self_model.expected(known), expected);
+  SelfModel other(self_model);
+  EXPECT_EQ(other.expected(known), expected);
+  WalkedBody body("");
+  self_model.observe(stepOf(known->entries[0], body.walk(known->entries[0].genome)));
+  EXPECT_NE(self_model.expected(known), expected);
+  EXPECT_EQ(other.expected(known), expected);
+}
+
+}  // namespace
+}  // namespace hexapod
