@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 namespace hexapod {
@@ -93,6 +94,7 @@ BodyBelief::BodyBelief(std::shared_ptr<const Imagination> imagination, const Phy
   add({intact}, 0.0);
   addOtherwise(intact);
   add(damaged, kOneLeg);
+  checkThatSomeStand();
   order();
 }
 
@@ -103,7 +105,7 @@ BodyBelief::BodyBelief(std::shared_ptr<const Imagination> imagination, const Phy
   std::vector<LegState> legs = told.legs;
   legs.resize(imagination_->robot().legs.size());
   add({legs}, 0.0);
-  if (bodies_.empty()) return;
+  checkThatSomeStand();
   bodies_[0].mean = parametersOf(told, nominal_);
   bodies_[0].covariance.setZero();
 }
@@ -138,6 +140,13 @@ void BodyBelief::addOtherwise(const std::vector<LegState>& intact) {
     mean[i / 2] = i % 2 == 0 ? deviation : -deviation;
     add({intact}, kOtherwise, mean);
   }
+}
+
+void BodyBelief::checkThatSomeStand() const {
+  if (!bodies_.empty()) return;
+  throw std::runtime_error("Robot '" + imagination_->robot().name +
+                           "' does not stand in simulation with any of the bodies thought of; "
+                           "change its neutral pose, masses or torques.");
 }
 
 double BodyBelief::probability(std::size_t i) const {

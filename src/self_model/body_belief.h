@@ -53,7 +53,8 @@ struct SeenBehavior {
 /// Deterministic, whatever the number of threads. Used by one thread at a time.
 class BodyBelief {
  public:
-  /// Begins with an intact robot at its stand, heading 0, as the likely one.
+  /// Begins with an intact robot at its stand, heading 0, as the likely one. Throws
+  /// std::runtime_error when no body stands.
   BodyBelief(std::shared_ptr<const Imagination> imagination, const Physics& nominal,
              const BeliefOptions& options);
 
@@ -75,6 +76,7 @@ class BodyBelief {
  private:
   void add(const std::vector<std::vector<LegState>>& bodies, double log_prior,
            const BodyVector& mean = BodyVector::Zero());
+  void checkThatSomeStand() const;
   void addOtherwise(const std::vector<LegState>& intact);
   void imagineAll(const SeenBehavior& seen, std::size_t first);
   void refine(const SeenBehavior& seen);

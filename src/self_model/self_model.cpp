@@ -66,6 +66,7 @@ SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
           robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
       belief_(told ? BodyBelief(imagination_, *told)
                    : BodyBelief(imagination_, learned.physics, options.belief)),
+      first_belief_(belief_),
       square_m2_(kPriorCount * kPriorError_m * kPriorError_m),
       square_rad2_(kPriorCount * kPriorError_rad * kPriorError_rad),
       count_(kPriorCount) {}
@@ -76,7 +77,9 @@ SelfModel::SelfModel(const SelfModel& other)
 SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
     : imagination_(other.imagination_),
       belief_(other.belief_),
+      first_belief_(other.first_belief_),
       heading_rad_(other.heading_rad_),
+      behaviors_(other.behaviors_),
       revision_(other.revision_),
       expected_(other.expected_),
       drift_m_(other.drift_m_),
@@ -89,6 +92,20 @@ BodyBelief SelfModel::belief() const {
   return belief_;
 }
 
+int SelfModel::behaviors() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return behaviors_;
+}
+
+// The robot stands where it stands, in a state of which nothing is known.
+void SelfModel::forget() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  belief_ = first_belief_;
+  drift_m_.setZero();
+  behaviors_ = 0;
+  ++revision_;
+}
+
 Eigen::Vector2d SelfModel::drift_m() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return drift_m_;
@@ -99,6 +116,7 @@ void SelfModel::observe(const WalkedStep& step) {
   learnErrors(step);
   belief_.observe(seenBy(step));
   heading_rad_ = step.world_from_after.yaw_rad;
+  ++behaviors_;
   ++revision_;
 }
 
@@ -123,7 +141,6 @@ void SelfModel::learnErrors(const WalkedStep& step) {
 std::shared_ptr<const Repertoire> SelfModel::expected(
     const std::shared_ptr<const Repertoire>& repertoire) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (belief_.bodies().empty()) return repertoire;
   if (expected_.of == repertoire && expected_.revision == revision_) return expected_.repertoire;
   findDrift(*repertoire);
   expected_ = {repertoire, imagine(*repertoire), revision_};

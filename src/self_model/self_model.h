@@ -44,6 +44,12 @@ class SelfModel : public Foresight {
   /// A copy of what is believed now.
   BodyBelief belief() const;
 
+  /// Behaviours observed.
+  int behaviors() const;
+
+  /// Believes what it believed at first, whatever was observed since.
+  void forget();
+
  private:
   struct Expected {
     std::shared_ptr<const Repertoire> of;
@@ -60,7 +66,9 @@ class SelfModel : public Foresight {
   const std::shared_ptr<const Imagination> imagination_;
   mutable std::mutex mutex_;
   BodyBelief belief_;
+  const BodyBelief first_belief_;
   double heading_rad_ = 0.0;  // in which the robot stands
+  int behaviors_ = 0;         // observed
   int revision_ = 0;          // of the belief
   Expected expected_;
   Eigen::Vector2d drift_m_ = Eigen::Vector2d::Zero();

@@ -10,6 +10,7 @@ import rostest
 import tf2_ros
 from diagnostic_msgs.msg import DiagnosticArray
 from hexapod_repertoire.msg import Repertoire
+from hexapod_repertoire.srv import Disturb, DisturbRequest
 from nav_msgs.msg import Odometry
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import JointState
@@ -154,6 +155,89 @@ class SimulatedRobot(unittest.TestCase):
         self.assertLess(math.hypot(body.translation.x, body.translation.y), 1e-9)
         self.assertGreater(body.translation.z, 0.05)
         listener.unregister()
+
+    def disturb(self, **fields):
+        return rospy.ServiceProxy("simulated_robot/disturb", Disturb)(DisturbRequest(**fields))
+
+    def break_leg(self, leg, state, **fields):
+        answer = self.disturb(legs=[leg], states=[state], **fields)
+        self.assertTrue(answer.success, answer.message)
+        self.assertIn(leg, answer.message)
+
+    def test_a_leg_goes_up_when_it_is_lifted_and_obeys_again_when_repaired(self):
+        self.break_leg("left_middle", DisturbRequest.LIFTED)
+        self.wait_angle("leg_1_1_2", math.pi / 4)
+        self.wait_angle("leg_1_2_3", -math.pi / 4)
+        target = [0.0] * 18
+        target[0] = target[3] = 0.3
+        self.command(target)
+        self.wait_angle("body_leg_0", 0.3)
+        self.assertLess(abs(self.angles()["body_leg_1"]), 0.05)
+        self.assertTrue(self.disturb().success)
+        self.command(target)
+        self.wait_angle("body_leg_1", 0.3)
+        self.wait_angle("leg_1_1_2", 0.0)
+
+    def test_a_leg_is_locked_where_it_is_and_a_limp_one_does_not_move(self):
+        target = [0.0] * 18
+        target[3] = target[6] = 0.3
+        self.command(target)
+        self.wait_angle("body_leg_1", 0.3)
+        self.wait_angle("body_leg_2", 0.3)
+        self.assertTrue(self.disturb(
+            legs=["left_middle", "left_front"],
+            states=[DisturbRequest.LOCKED, DisturbRequest.LIMP]).success)
+        self.command([0.0] * 3 + [-0.3] + [0.0] * 2 + [-0.3] + [0.0] * 2 + [0.3] + [0.0] * 8)
+        self.wait_angle("body_leg_3", 0.3)
+        self.wait_angle("body_leg_1", 0.3)
+        self.assertGreater(self.angles()["body_leg_2"], 0.1)
+
+    def test_joints_of_a_missing_leg_are_not_reported_until_a_reset(self):
+        self.break_leg("right_rear", DisturbRequest.MISSING)
+        self.joints.clear()
+        self.assertEqual(self.joints.next().name, JOINTS[:15])
+        self.reset()
+        self.joints.clear()
+        self.assertEqual(self.joints.next().name, JOINTS)
+
+    def test_commands_get_lost_and_late(self):
+        target = [0.0] * 18
+        target[0] = 0.3
+        self.assertTrue(self.disturb(dropped_share=1.0).success)
+        self.command(target)
+        before = self.joints.count()
+        rs.wait_for(lambda: self.joints.count() > before + 40, 10.0, "40 steps")
+        self.assertLess(abs(self.angles()["body_leg_0"]), 0.05)
+        self.assertTrue(self.disturb(latency_s=0.5).success)
+        self.joints.clear()
+        stamp = rospy.Time.now()
+        self.command(target, stamp=stamp)
+        self.wait_angle("body_leg_0", 0.3)
+        still = [m for m in self.joints.all() if abs(m.position[0]) < 0.02]
+        self.assertGreater((still[-1].header.stamp - stamp).to_sec(), 0.5)
+
+    def test_feedback_is_as_noisy_as_asked_and_a_dead_band_swallows_small_commands(self):
+        self.assertTrue(self.disturb(feedback_noise_rad=0.1).success)
+        self.joints.clear()
+        rs.wait_for(lambda: self.joints.count() > 30, 10.0, "30 steps")
+        values = [value for m in self.joints.all() for value in m.position]
+        mean = sum(values) / len(values)
+        deviation = math.sqrt(sum((value - mean) ** 2 for value in values) / len(values))
+        self.assertAlmostEqual(deviation, 0.1, delta=0.02)
+        self.assertTrue(self.disturb(dead_band_rad=0.1).success)
+        self.command([0.05, 0.0, 0.0, 0.3] + [0.0] * 14)
+        self.wait_angle("body_leg_1", 0.3)
+        self.assertLess(abs(self.angles()["body_leg_0"]), 0.02)
+
+    def test_says_what_is_wrong_with_a_disturbance(self):
+        for fields, words in (({"legs": ["tail"], "states": [1]}, "'tail'; expected one of left_rear"),
+                              ({"legs": ["left_rear"], "states": [7]}, "is 7; expected 0 (intact)"),
+                              ({"legs": ["left_rear"], "states": []}, "a state for each leg"),
+                              ({"dropped_share": 1.5}, "dropped_share is 1.5; expected 0 .. 1"),
+                              ({"slope_x_rad": 2.0}, "slope_x_rad")):
+            answer = self.disturb(**fields)
+            self.assertFalse(answer.success)
+            self.assertIn(words, answer.message)
 
 
 if __name__ == "__main__":

@@ -27,7 +27,12 @@ RobotCommands::RobotCommands(ros::NodeHandle& node, const RobotDescription& robo
 
 const std::vector<double>* RobotCommands::due(std::int64_t step_ns) {
   last_step_ns_ = step_ns;
-  return schedule_.due(step_ns);
+  return schedule_.due(step_ns - latency_ns_);
+}
+
+void RobotCommands::disturb(std::int64_t latency_ns, double lost_share) {
+  latency_ns_ = latency_ns;
+  lost_share_ = lost_share;
 }
 
 bool RobotCommands::expects(std::int64_t time_ns) const {
@@ -40,6 +45,10 @@ void RobotCommands::onCommand(const sensor_msgs::JointState::ConstPtr& message) 
     if (!matcher_.problem().empty()) problem_ = matcher_.problem();
     ++counts_.refused;
     ROS_WARN_STREAM_THROTTLE(kWarnPeriod_s, "A joint command is ignored: " << problem_);
+    return;
+  }
+  if (random_.chance(lost_share_)) {
+    ++counts_.lost;
     return;
   }
   const std::int64_t before_ns = schedule_.newestStamp_ns();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "common/random.h"
 #include "execution/command_schedule.h"
 #include "execution/joint_matcher.h"
 #include "robot/robot_description.h"
@@ -24,6 +25,7 @@ class RobotCommands {
     std::uint64_t late = 0;     ///< came after the step they should act from
     std::uint64_t foreign = 0;  ///< stamped by another clock
     std::uint64_t dropped = 0;  ///< out of order, or too many
+    std::uint64_t lost = 0;     ///< by the disturbance
   };
 
   RobotCommands(ros::NodeHandle& node, const RobotDescription& robot, std::int64_t latency_ns);
@@ -38,6 +40,10 @@ class RobotCommands {
 
   void clear() { schedule_.clear(); }
 
+  /// From now on commands act so much later, and a share of them is lost. (Which ones is the same
+  /// in every run.)
+  void disturb(std::int64_t latency_ns, double lost_share);
+
   const Counts& counts() const { return counts_; }
   /// Sentence about the last command refused; empty when none was.
   const std::string& problem() const { return problem_; }
@@ -49,6 +55,9 @@ class RobotCommands {
   std::vector<Joint> joints_;
   JointMatcher matcher_;
   CommandSchedule schedule_;
+  std::int64_t latency_ns_ = 0;  // beyond the schedule's
+  double lost_share_ = 0.0;
+  Random random_{1};
   std::int64_t last_step_ns_ = 0;
   std::int64_t period_ns_ = 0;  // between the two newest commands; 0: unknown
   Counts counts_;

@@ -45,13 +45,21 @@ geometry_msgs::TransformStamped toMsg(const Eigen::Isometry3d& transform, const 
   return message;
 }
 
+// Of twelve uniform numbers: standard deviation 1.
+double normal(Random& random) {
+  double sum = -6.0;
+  for (int i = 0; i < 12; ++i) sum += random.uniform();
+  return sum;
+}
+
 }  // namespace
 
 RobotPublisher::RobotPublisher(ros::NodeHandle& node, const RobotDescription& robot,
                                bool publish_clock)
     : base_link_(robot.base_link),
-      base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())) {
-  joints_.name = robot.jointNames();
+      base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())),
+      joint_names_(robot.jointNames()),
+      reported_(robot.jointCount(), true) {
   odometry_.header.frame_id = names::kOdomFrame;
   odometry_.child_frame_id = names::kFootprintFrame;
   joint_publisher_ = node.advertise<sensor_msgs::JointState>(names::kJointStates, kQueueSize);
@@ -62,7 +70,7 @@ RobotPublisher::RobotPublisher(ros::NodeHandle& node, const RobotDescription& ro
 }
 
 void RobotPublisher::publish(const World& world, const ros::Time& stamp) {
-  world.jointAngles(joints_.position);
+  fillJoints(world);
   const Eigen::Isometry3d world_from_base = world.worldFromBase();
   const bool finite = world_from_base.matrix().allFinite() &&
                       std::all_of(joints_.position.begin(), joints_.position.end(),
@@ -78,6 +86,27 @@ void RobotPublisher::publish(const World& world, const ros::Time& stamp) {
   rosgraph_msgs::Clock clock;
   clock.clock = stamp;
   clock_publisher_.publish(clock);
+}
+
+void RobotPublisher::fillJoints(const World& world) {
+  world.jointAngles(angles_rad_);
+  joints_.name.clear();
+  joints_.position.clear();
+  for (std::size_t j = 0; j < angles_rad_.size(); ++j) {
+    if (!reported_[j]) continue;
+    joints_.name.push_back(joint_names_[j]);
+    joints_.position.push_back(angles_rad_[j] + noise_rad_ * normal(random_));
+  }
+}
+
+void RobotPublisher::disturb(const RobotDescription& robot, const Disturbance& disturbance) {
+  noise_rad_ = disturbance.feedback_noise_rad;
+  reported_.clear();
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    const std::vector<LegState>& legs = disturbance.physics.legs;
+    const bool there = legs.empty() || legs[leg].condition != LegCondition::kMissing;
+    reported_.insert(reported_.end(), robot.legs[leg].segments.size(), there);
+  }
 }
 
 void RobotPublisher::publishOdometry(const Pose2& odom_from_footprint, const ros::Time& stamp) {

@@ -9,7 +9,10 @@
 #include <Eigen/Geometry>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "common/random.h"
+#include "ros_interface/simulated_robot/disturbance.h"
 #include "simulation/world.h"
 
 namespace hexapod {
@@ -23,6 +26,10 @@ class RobotPublisher {
 
   /// The world's state at `stamp`; nothing that is not finite leaves.
   void publish(const World& world, const ros::Time& stamp);
+  /// From now on reported joint angles are noisy, and joints of missing legs are left out: there is
+  /// nothing that could report them.
+  void disturb(const RobotDescription& robot, const Disturbance& disturbance);
+
   /// The next velocity is not taken from the pose before (the robot was put elsewhere).
   void forgetMotion() { last_.reset(); }
 
@@ -32,12 +39,18 @@ class RobotPublisher {
     ros::Time stamp;
   };
 
+  void fillJoints(const World& world);
   void publishOdometry(const Pose2& odom_from_footprint, const ros::Time& stamp);
   void publishTransforms(const Eigen::Isometry3d& world_from_base, const Pose2& footprint,
                          const ros::Time& stamp);
 
   std::string base_link_;
   Eigen::Isometry3d base_from_link_;  // they differ where forward is not x of the link
+  std::vector<std::string> joint_names_;
+  std::vector<bool> reported_;  // per joint
+  double noise_rad_ = 0.0;
+  Random random_{2};
+  std::vector<double> angles_rad_;
   sensor_msgs::JointState joints_;
   nav_msgs::Odometry odometry_;
   std::optional<Footing> last_;

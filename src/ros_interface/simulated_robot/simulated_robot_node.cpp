@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <utility>
 
 #include "ros_interface/common/names.h"
 #include "ros_interface/common/realtime_loop.h"
@@ -36,8 +38,10 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
                                        const SimulatedRobotOptions& options,
                                        const RobotDescription& robot)
     : options_(options),
-      world_(makeWorld(engineFor(options, robot), robot, options.physics)),
-      step_ns_(std::llround(options.physics.step_s * 1e9)),
+      engine_(engineFor(options, robot)),
+      robot_(robot),
+      started_with_(options.disturbance),
+      step_ns_(std::llround(options.disturbance.physics.step_s * 1e9)),
       time_ns_(static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
       steady_start_ns_(steadyNow_ns()),
       commands_(node, robot, std::llround(options.command_latency_s * 1e9)),
@@ -45,7 +49,13 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
       publisher_(node, robot, options.publish_clock),
       reset_publisher_(node.advertise<std_msgs::Header>(names::kRobotReset, 1)),
       reset_service_(private_node.advertiseService("reset", &SimulatedRobotNode::onReset, this)),
-      pause_service_(private_node.advertiseService("pause", &SimulatedRobotNode::onPause, this)) {
+      pause_service_(private_node.advertiseService("pause", &SimulatedRobotNode::onPause, this)),
+      disturb_service_(
+          private_node.advertiseService("disturb", &SimulatedRobotNode::onDisturb, this)) {
+  world_ = makeWorld(engine_, robot, started_with_.physics);
+  stand_ = world_->state();
+  started_with_.physics.legs = legStatesFromText(robot, options.disturb_legs);
+  disturb(started_with_);
   updater_.setHardwareID("simulated hexapod");
   updater_.add("simulation", this, &SimulatedRobotNode::report);
 }
@@ -104,11 +114,52 @@ void SimulatedRobotNode::catchUpIfStalled(std::int64_t late_ns) {
 
 void SimulatedRobotNode::step() {
   const std::vector<double>* targets = commands_.due(time_ns_);
-  if (targets != nullptr) world_->setTargets(*targets);
+  if (targets != nullptr) command(*targets);
   if (!paused_) noteVerdict(world_->step());
   ++steps_;
   time_ns_ += step_ns_;
   publisher_.publish(*world_, timeFromNs(time_ns_));
+}
+
+void SimulatedRobotNode::command(std::vector<double> targets_rad) {
+  if (disturbance_.dead_band_rad > 0.0) {
+    std::vector<double> angles_rad;
+    world_->jointAngles(angles_rad);
+    for (std::size_t j = 0; j < angles_rad.size(); ++j) {
+      if (std::abs(targets_rad[j] - angles_rad[j]) < disturbance_.dead_band_rad) {
+        targets_rad[j] = angles_rad[j];
+      }
+    }
+  }
+  world_->setTargets(targets_rad);
+}
+
+// Another body where the robot stands, as it stands, with the targets it has.
+void SimulatedRobotNode::disturb(const Disturbance& disturbance) {
+  const WorldState now = world_->state();
+  auto world = makeWorld(engine_, robot_, disturbance.physics, &stand_);
+  world->restore(now);
+  world->setTargets(
+      {now.values.end() - static_cast<std::ptrdiff_t>(robot_.jointCount()), now.values.end()});
+  world_ = std::move(world);
+  disturbance_ = disturbance;
+  commands_.disturb(std::llround(disturbance.latency_s * 1e9), disturbance.dropped_share);
+  publisher_.disturb(robot_, disturbance);
+}
+
+bool SimulatedRobotNode::onDisturb(hexapod_repertoire::Disturb::Request& request,
+                                   hexapod_repertoire::Disturb::Response& response) {
+  try {
+    std::vector<double> angles_rad;
+    world_->jointAngles(angles_rad);
+    disturb(disturbanceFrom(request, started_with_, robot_, angles_rad));
+    response.success = true;
+    response.message = describe(disturbance_, robot_);
+  } catch (const std::invalid_argument& error) {
+    response.success = false;
+    response.message = error.what();
+  }
+  return true;
 }
 
 void SimulatedRobotNode::noteVerdict(Verdict verdict) {
@@ -124,7 +175,9 @@ void SimulatedRobotNode::noteVerdict(Verdict verdict) {
 
 bool SimulatedRobotNode::onReset(std_srvs::Trigger::Request&,
                                  std_srvs::Trigger::Response& response) {
+  disturb(started_with_);
   world_->restart();
+  world_->setTargets(robot_.neutralPose());
   commands_.clear();
   publisher_.forgetMotion();
   verdict_ = Verdict::kWalked;
@@ -133,7 +186,7 @@ bool SimulatedRobotNode::onReset(std_srvs::Trigger::Request&,
   header.frame_id = names::kOdomFrame;
   reset_publisher_.publish(header);
   response.success = true;
-  response.message = "The robot stands at the origin; its time goes on.";
+  response.message = "The robot stands at the origin as it was started; its time goes on.";
   return true;
 }
 
@@ -162,6 +215,8 @@ void SimulatedRobotNode::report(diagnostic_updater::DiagnosticStatusWrapper& dia
   diagnostics.add("Commands late", counts.late);
   diagnostics.add("Commands of another clock", counts.foreign);
   diagnostics.add("Commands out of order", counts.dropped);
+  diagnostics.add("Commands lost on purpose", counts.lost);
+  diagnostics.add("Disturbance", describe(disturbance_, robot_));
   diagnostics.add("Falls and other failures", falls_);
 }
 

@@ -23,7 +23,8 @@ namespace hexapod {
 /// Its time is start + n * step in integer nanoseconds, on the axis of ROS wall time; it never goes
 /// back, not on reset either. Every step is taken, also when the process was stalled: it then
 /// catches up. As fast as it can (factor 0) still waits for each command of a live stream, so that
-/// none comes late. Everything happens in the thread of run().
+/// none comes late. ~disturb breaks it, weakens it or changes its floor from one step to the next;
+/// ~reset puts it back on its feet as it was started. Everything happens in the thread of run().
 class SimulatedRobotNode {
  public:
   /// Throws std::invalid_argument when options do not fit.
@@ -39,12 +40,21 @@ class SimulatedRobotNode {
   void awaitCommand();
   void catchUpIfStalled(std::int64_t late_ns);
   void step();
+  void command(std::vector<double> targets_rad);
   void noteVerdict(Verdict verdict);
+  void disturb(const Disturbance& disturbance);
   bool onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool onDisturb(hexapod_repertoire::Disturb::Request& request,
+                 hexapod_repertoire::Disturb::Response& response);
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
   SimulatedRobotOptions options_;
+  Engine engine_;
+  RobotDescription robot_;
+  Disturbance started_with_;
+  Disturbance disturbance_;
+  WorldState stand_;  // of the robot without damage
   std::unique_ptr<World> world_;
   std::int64_t step_ns_;
   std::int64_t time_ns_;          // of the world's state
@@ -59,6 +69,7 @@ class SimulatedRobotNode {
   ros::Publisher reset_publisher_;
   ros::ServiceServer reset_service_;
   ros::ServiceServer pause_service_;
+  ros::ServiceServer disturb_service_;
   diagnostic_updater::Updater updater_;
 };
 

@@ -5,7 +5,8 @@
 namespace hexapod {
 
 std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
-  Physics& physics = options.physics;
+  Disturbance& disturbance = options.disturbance;
+  Physics& physics = disturbance.physics;
   return {
       option("robot_config", options.robot_config,
              "Path of the robot's YAML (legs, gait, servo, contact); its URDF is the parameter "
@@ -29,6 +30,17 @@ std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
       option("torque_scale", physics.torque_scale, "", "Times every joint's torque.", 0.0, 100.0),
       option("slope_x_rad", physics.slope_x_rad, "rad", "The floor rises toward +x.", -1.0, 1.0),
       option("slope_y_rad", physics.slope_y_rad, "rad", "The floor rises toward +y.", -1.0, 1.0),
+      option("disturb_legs", options.disturb_legs,
+             "Legs that are out of order from the start: 'left_middle: limp, right_rear: lifted'; "
+             "locked, lifted, limp or missing."),
+      option("latency_s", disturbance.latency_s, "s",
+             "Commands act so much later than command_latency_s lets them.", 0.0, 1.0),
+      option("dropped_share", disturbance.dropped_share, "", "Share of the commands that is lost.",
+             0.0, 1.0),
+      option("feedback_noise_rad", disturbance.feedback_noise_rad, "rad",
+             "Standard deviation of the noise on reported joint angles.", 0.0, 1.0),
+      option("dead_band_rad", disturbance.dead_band_rad, "rad",
+             "A servo does not move for a command nearer to where it is than this.", 0.0, 1.0),
   };
 }
 

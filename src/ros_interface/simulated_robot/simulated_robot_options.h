@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "common/options.h"
-#include "simulation/world.h"
+#include "ros_interface/simulated_robot/disturbance.h"
 
 namespace hexapod {
 
@@ -15,7 +15,8 @@ struct SimulatedRobotOptions {
   double real_time_factor = 1.0;  ///< 0: as fast as it can
   bool publish_clock = false;
   double command_latency_s = 0.060;
-  Physics physics;
+  std::string disturb_legs;  ///< as legStatesFromText()
+  Disturbance disturbance;   ///< from the start
 };
 
 /// The options under their names, bound to `options`, which must outlive them.
