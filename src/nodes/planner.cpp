@@ -19,9 +19,9 @@ int plan() {
   PlannerNodeOptions options;
   loadParams(private_node, declareOptions(options));
   checkOptions(options);
-  const std::string robot_id =
-      options.robot_config.empty() ? "" : robotFromParams(node, options.robot_config).digest;
-  PlannerNode planner(node, private_node, options, robot_id);
+  std::optional<RobotDescription> robot;
+  if (!options.robot_config.empty()) robot = robotFromParams(node, options.robot_config);
+  PlannerNode planner(node, private_node, options, robot);
   const PlannerNode::End end = planner.run(leaveFlag());
   const bool master_lost = end == PlannerNode::End::kMasterLost;
   if (master_lost) {

@@ -66,6 +66,10 @@ hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Ti
   message.evaluations = repertoire.evaluations;
   message.behavior_duration_s = repertoire.behavior_duration_s;
   message.joint_names = repertoire.joint_names;
+  for (const auto& [name, value] : repertoire.options) {
+    message.option_names.push_back(name);
+    message.option_values.push_back(value);
+  }
   message.entries.reserve(repertoire.entries.size());
   for (const Entry& entry : repertoire.entries) message.entries.push_back(toMsg(entry));
   return message;
@@ -80,6 +84,15 @@ Repertoire fromMsg(const hexapod_repertoire::Repertoire& message) {
   repertoire.evaluations = message.evaluations;
   repertoire.behavior_duration_s = message.behavior_duration_s;
   repertoire.joint_names = message.joint_names;
+  if (message.option_names.size() != message.option_values.size()) {
+    throw std::invalid_argument("The repertoire message of run '" + message.run_id +
+                                "' is refused: it names " +
+                                std::to_string(message.option_names.size()) + " options and has " +
+                                std::to_string(message.option_values.size()) + " values.");
+  }
+  for (std::size_t i = 0; i < message.option_names.size(); ++i) {
+    repertoire.options[message.option_names[i]] = message.option_values[i];
+  }
   std::set<std::int64_t> ids;
   for (const auto& entry_message : message.entries) {
     Entry entry = fromMsg(entry_message);

@@ -8,6 +8,7 @@
 namespace hexapod {
 namespace {
 
+constexpr char kBeliefTopic[] = "body_belief";
 constexpr double kPoll_s = 0.02;
 constexpr std::int64_t kClockWarnPeriod_ns = 2 * kSecond_ns;
 // Answers on their way to clients.
@@ -18,17 +19,28 @@ constexpr double kHistory_s = 10.0;
 }  // namespace
 
 PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
-                         const PlannerNodeOptions& options, const std::string& robot_id)
+                         const PlannerNodeOptions& options,
+                         const std::optional<RobotDescription>& robot)
     : options_(options),
       master_({node.resolveName(names::kRepertoire)}),
       buffer_(ros::Duration(kHistory_s)),
       listener_(buffer_),
       poses_(options_, clock_, buffer_),
       executor_(node, clock_),
-      repertoire_(options.planner, robot_id,
-                  [this, topic = node.resolveName(names::kRepertoire)] {
-                    return master_.otherPublishers(topic);
+      belief_publisher_(node.advertise<hexapod_repertoire::BodyBelief>(kBeliefTopic, 1, true)),
+      self_image_(clock_, robot,
+                  [this](const hexapod_repertoire::BodyBelief& belief) {
+                    belief_publisher_.publish(belief);
                   }),
+      repertoire_(
+          options.planner, robot ? robot->digest : "",
+          [this, topic = node.resolveName(names::kRepertoire)] {
+            return master_.otherPublishers(topic);
+          },
+          [this](const hexapod::Repertoire& repertoire) -> std::shared_ptr<Foresight> {
+            if (options_.adaptation == Adaptation::kNone) return nullptr;
+            return self_image_.foresightFor(repertoire);
+          }),
       display_(node, private_node, clock_, options.global_frame),
       walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_}),
       actions_(node, goal_queue_, walker_),
@@ -38,6 +50,8 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                                : nullptr),
       goal_spinner_(1, &goal_queue_),
       repertoire_subscriber_(node.subscribe(names::kRepertoire, 1, &PlannerNode::receive, this)),
+      reset_belief_service_(
+          private_node.advertiseService("reset_belief", &PlannerNode::onResetBelief, this)),
       next_clock_warning_ns_(clock_.steadyNow_ns() + kClockWarnPeriod_ns) {
   updater_.setHardwareID("hexapod");
   updater_.add("planner", this, &PlannerNode::report);
@@ -74,6 +88,13 @@ void PlannerNode::receive(const ros::MessageEvent<Repertoire const>& event) {
   } else {
     ROS_ERROR_STREAM(taken.message);
   }
+}
+
+bool PlannerNode::onResetBelief(std_srvs::Trigger::Request&,
+                                std_srvs::Trigger::Response& response) {
+  response.message = self_image_.forget();
+  response.success = true;
+  return true;
 }
 
 void PlannerNode::watchClock() {

@@ -3,13 +3,16 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/service_server.h>
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
+#include <std_srvs/Trigger.h>
 #include <tf2/buffer_core.h>
 #include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "ros_interface/common/clock.h"
@@ -17,6 +20,7 @@
 #include "ros_interface/planner/action_doors.h"
 #include "ros_interface/planner/executor_topics.h"
 #include "ros_interface/planner/repertoire_in_use.h"
+#include "ros_interface/planner/self_image.h"
 #include "ros_interface/planner/service_doors.h"
 #include "ros_interface/planner/tf_pose_source.h"
 #include "ros_interface/planner/twist_door.h"
@@ -32,9 +36,9 @@ class PlannerNode {
   /// Why run() came back.
   enum class End { kAskedToLeave, kMasterLost };
 
-  /// `robot_id`: digest of the robot description, empty to walk with any robot's repertoire.
+  /// `robot`: nothing to walk with any robot's repertoire.
   PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
-              const PlannerNodeOptions& options, const std::string& robot_id);
+              const PlannerNodeOptions& options, const std::optional<RobotDescription>& robot);
 
   /// Serves until `leave` is set, ROS shuts down, or the master is lost. Every goal is answered
   /// when it returns, and none is taken any more.
@@ -43,6 +47,7 @@ class PlannerNode {
  private:
   using Repertoire = hexapod_repertoire::Repertoire;
 
+  bool onResetBelief(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   void receive(const ros::MessageEvent<Repertoire const>& event);
   void answerAll(End end);
   void watchClock();
@@ -55,6 +60,8 @@ class PlannerNode {
   tf2_ros::TransformListener listener_;
   TfPoseSource poses_;
   ExecutorTopics executor_;
+  ros::Publisher belief_publisher_;
+  SelfImage self_image_;
   RepertoireInUse repertoire_;
   WalkDisplay display_;
   Walker walker_;
@@ -64,6 +71,7 @@ class PlannerNode {
   std::unique_ptr<TwistDoor> cmd_vel_;  // by option
   ros::AsyncSpinner goal_spinner_;
   ros::Subscriber repertoire_subscriber_;
+  ros::ServiceServer reset_belief_service_;
   std::int64_t next_clock_warning_ns_;
   diagnostic_updater::Updater updater_;
 };

@@ -11,6 +11,12 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
                        "only repertoires of this robot are planned with. Empty: any robot's."));
   all.push_back(option("global_frame", options.global_frame, "Frame of plans, without a slash."));
   all.push_back(option("base_frame", options.base_frame, "The robot's footprint in tf."));
+  all.push_back(
+      option("adaptation", options.adaptation,
+             "none: walk as if the repertoire were right. self_model: believe in the body "
+             "that explains what was walked, and plan with what it makes of the "
+             "repertoire (needs robot_config).",
+             {Adaptation::kNone, Adaptation::kSelfModel}));
   all.push_back(option("tf_timeout_s", options.tf_timeout_s, "s",
                        "How long to wait for the transform of a goal.", 0.0, 60.0));
   all.push_back(option("pose_timeout_s", options.pose_timeout_s, "s",

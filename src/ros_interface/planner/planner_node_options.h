@@ -9,12 +9,19 @@
 
 namespace hexapod {
 
+/// How the planner adapts to the robot: the choices of the option adaptation.
+struct Adaptation {
+  static constexpr const char* kNone = "none";             ///< the repertoire is taken at its word
+  static constexpr const char* kSelfModel = "self_model";  ///< SelfImage
+};
+
 /// Options of the planner node: those of the planner, and where poses come from.
 struct PlannerNodeOptions {
   PlannerOptions planner;
   std::string robot_config;  ///< path; empty: any robot's repertoire is planned with
   std::string global_frame = names::kOdomFrame;
   std::string base_frame = names::kFootprintFrame;
+  std::string adaptation = Adaptation::kSelfModel;  ///< one of Adaptation
   double tf_timeout_s = 0.5;
   double pose_timeout_s = 1.0;
   double pose_settle_s = 0.15;

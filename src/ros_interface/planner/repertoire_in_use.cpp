@@ -4,13 +4,22 @@
 #include <exception>
 #include <utility>
 
+#include "planning/deviation.h"
 #include "ros_interface/common/conversions.h"
 
 namespace hexapod {
 
 RepertoireInUse::RepertoireInUse(const PlannerOptions& options, std::string robot_id,
-                                 std::function<std::vector<std::string>()> publishers)
-    : options_(options), robot_id_(std::move(robot_id)), publishers_(std::move(publishers)) {}
+                                 std::function<std::vector<std::string>()> publishers,
+                                 ForesightFor foresight_for)
+    : options_(options),
+      robot_id_(std::move(robot_id)),
+      publishers_(std::move(publishers)),
+      foresight_for_(std::move(foresight_for)) {}
+
+std::shared_ptr<Foresight> RepertoireInUse::deviationOf(const Repertoire&) {
+  return std::make_shared<DeviationForesight>();
+}
 
 std::shared_ptr<AdaptivePlanner> RepertoireInUse::planner() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -42,7 +51,8 @@ RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoir
     const bool same_run =
         earlier && !repertoire.run_id.empty() && earlier->repertoire().run_id == repertoire.run_id;
     fresh = same_run ? std::make_shared<AdaptivePlanner>(repertoire, *earlier)
-                     : std::make_shared<AdaptivePlanner>(repertoire, options_);
+                     : std::make_shared<AdaptivePlanner>(repertoire, options_,
+                                                         foresight_for_(repertoire));
   } catch (const std::exception& error) {
     return {false, error.what() + kept};
   }

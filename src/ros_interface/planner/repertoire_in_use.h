@@ -23,10 +23,14 @@ class RepertoireInUse {
     std::string message;  ///< a sentence for the log
   };
 
+  /// What is to be expected of a repertoire; null: what it says.
+  using ForesightFor = std::function<std::shared_ptr<Foresight>(const Repertoire&)>;
+
   /// `robot_id`: digest of the robot description, or empty: any robot's will do. `publishers`: the
   /// nodes that publish repertoires now.
   RepertoireInUse(const PlannerOptions& options, std::string robot_id,
-                  std::function<std::vector<std::string>()> publishers);
+                  std::function<std::vector<std::string>()> publishers,
+                  ForesightFor foresight_for = deviationOf);
 
   /// A message of `publisher`. Refused, the one before stays in use. Takes some 50 ms.
   Taken take(const hexapod_repertoire::Repertoire& message, const std::string& publisher);
@@ -35,12 +39,14 @@ class RepertoireInUse {
   std::shared_ptr<AdaptivePlanner> planner() const;
 
  private:
+  static std::shared_ptr<Foresight> deviationOf(const Repertoire& repertoire);
   std::string whyRefused(const hexapod_repertoire::Repertoire& message,
                          const std::string& publisher) const;
 
   PlannerOptions options_;
   std::string robot_id_;
   std::function<std::vector<std::string>()> publishers_;
+  ForesightFor foresight_for_;
   std::string publisher_;  // of the one in use; thread of take()
   mutable std::mutex mutex_;
   std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_

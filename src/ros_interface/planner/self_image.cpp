@@ -1,0 +1,118 @@
+#include "ros_interface/planner/self_image.h"
+
+#include <ros/console.h>
+
+#include <cmath>
+#include <exception>
+#include <utility>
+
+#include "planning/deviation.h"
+#include "self_model/describe_belief.h"
+
+namespace hexapod {
+namespace {
+
+// Legs less surely out of order than this are not given up.
+constexpr double kSure = 0.9;
+
+// In whatever way.
+double probabilityOutOfOrder(const BodyBelief& belief, std::size_t leg) {
+  double probability = 0.0;
+  for (std::size_t i = 0; i < belief.bodies().size(); ++i) {
+    if (belief.bodies()[i].legs[leg].condition != LegCondition::kIntact) {
+      probability += belief.probability(i);
+    }
+  }
+  return probability;
+}
+
+std::vector<std::string> jointsOutOfOrder(const RobotDescription& robot, const BodyBelief& belief) {
+  std::vector<std::string> joints;
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    if (probabilityOutOfOrder(belief, leg) < kSure) continue;
+    for (const Segment& segment : robot.legs[leg].segments) joints.push_back(segment.joint.name);
+  }
+  return joints;
+}
+
+}  // namespace
+
+// A self-model that tells what it believes whenever it has seen more.
+class SelfImage::Told : public Foresight {
+ public:
+  Told(const SelfImage& image, const LearnedWorld& learned)
+      : image_(image), self_model_(*image.robot_, learned, SelfModelOptions()) {}
+
+  void observe(const WalkedStep& step) override {
+    self_model_.observe(step);
+    tell();
+  }
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override {
+    return self_model_.expected(repertoire);
+  }
+  Eigen::Vector2d drift_m() const override { return self_model_.drift_m(); }
+
+  void forget() {
+    self_model_.forget();
+    tell();
+  }
+  void tell() const { image_.tell_(image_.beliefOf(self_model_)); }
+
+ private:
+  const SelfImage& image_;
+  SelfModel self_model_;
+};
+
+SelfImage::SelfImage(const Clock& clock, std::optional<RobotDescription> robot, Tell tell)
+    : clock_(clock), robot_(std::move(robot)), tell_(std::move(tell)) {}
+
+std::shared_ptr<Foresight> SelfImage::foresightFor(const Repertoire& repertoire) {
+  std::shared_ptr<Told> fresh;
+  try {
+    if (robot_ && robot_->digest == repertoire.robot_id) {
+      fresh = std::make_shared<Told>(*this, learnedWorldOf(repertoire));
+    }
+  } catch (const std::exception& error) {
+    ROS_WARN_STREAM("The robot cannot simulate itself: " << error.what());
+  }
+  if (fresh) fresh->tell();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  current_ = fresh;
+  if (fresh) return fresh;
+  return std::make_shared<DeviationForesight>();
+}
+
+std::string SelfImage::forget() {
+  std::shared_ptr<Told> current;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    current = current_;
+  }
+  if (!current) return "Nothing is believed of the robot's body: it is not simulated.";
+  current->forget();
+  return "The robot is believed to be as it was learned for.";
+}
+
+hexapod_repertoire::BodyBelief SelfImage::beliefOf(const SelfModel& self_model) const {
+  const BodyBelief belief = self_model.belief();
+  hexapod_repertoire::BodyBelief message;
+  message.header.stamp = clock_.rosNow();
+  for (const LikelyLegs& one : likelyLegs(*robot_, belief)) {
+    message.bodies.push_back(one.legs);
+    message.probabilities.push_back(one.probability);
+  }
+  const BelievedBody& best = belief.bodies().front();
+  for (int i = 0; i < kBodyParameters; ++i) {
+    const bool is_scale = std::string(bodyParameters()[i].unit).empty();
+    message.parameters.push_back(bodyParameters()[i].name);
+    message.values.push_back(is_scale ? std::exp(best.mean[i]) : best.mean[i]);
+    message.standard_deviations.push_back(std::sqrt(best.covariance(i, i)));
+  }
+  message.dead_joints = jointsOutOfOrder(*robot_, belief);
+  message.behaviors = static_cast<std::uint32_t>(self_model.behaviors());
+  message.sentence = describe(*robot_, belief);
+  return message;
+}
+
+}  // namespace hexapod

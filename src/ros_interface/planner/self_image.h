@@ -1,0 +1,47 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hexapod_repertoire/BodyBelief.h"
+#include "planning/foresight.h"
+#include "robot/robot_description.h"
+#include "ros_interface/common/clock.h"
+#include "self_model/self_model.h"
+
+namespace hexapod {
+
+/// What the robot believes of itself while it walks, told to whoever wants to know.
+///
+/// Gives each repertoire a Foresight: a SelfModel of this robot. Where the robot or how it is
+/// played is not known, one deviation of all behaviours has to do, and nothing is told. From any
+/// thread.
+class SelfImage {
+ public:
+  using Tell = std::function<void(const hexapod_repertoire::BodyBelief&)>;
+
+  /// `robot`: nothing when only its repertoires are known. `tell` is called after every behaviour,
+  /// from the thread that walks.
+  SelfImage(const Clock& clock, std::optional<RobotDescription> robot, Tell tell);
+
+  std::shared_ptr<Foresight> foresightFor(const Repertoire& repertoire);
+
+  /// Believes what it believed at first. A sentence for the user.
+  std::string forget();
+
+ private:
+  class Told;
+
+  hexapod_repertoire::BodyBelief beliefOf(const SelfModel& self_model) const;
+
+  const Clock& clock_;
+  const std::optional<RobotDescription> robot_;
+  const Tell tell_;
+  std::mutex mutex_;
+  std::shared_ptr<Told> current_;  // of the repertoire in use; null: not simulated
+};
+
+}  // namespace hexapod
