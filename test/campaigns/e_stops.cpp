@@ -46,7 +46,8 @@ int runCampaign(int stops, double speed, std::uint64_t seed) {
       "driver "
       "obeyed %d set-points that its own queue still held,\nat most %d after one stop.\n",
       speed, stops, wire.oldSetPointsObeyedAfterStops(), wire.mostAfterOneStop());
-  good = good && wire.mostAfterOneStop() <= 1;
+  // One that waited in the driver's queue, one that was on its way.
+  good = good && wire.mostAfterOneStop() <= 2;
   std::printf("\n%s\n", good ? "All promises held." : "Not all promises held.");
   return good ? 0 : 1;
 }

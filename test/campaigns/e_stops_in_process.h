@@ -32,7 +32,8 @@ class InProcess {
     for (; tally.stops < stops; ++tally.stops) {
       waitFor([this] {
         executor_.arm();
-        return executor_.status().mode == ExecutorMode::kReady;
+        const bool sent = !armed_anew_;  // and so the first command after arming was judged
+        return sent && executor_.status().mode == ExecutorMode::kReady;
       });
       const Behavior behavior(robot_, randomGenome(random_, robot_.geneCount()), {});
       limit_ = slot_.load();  // the loop stands, so that the walk is as long as was drawn

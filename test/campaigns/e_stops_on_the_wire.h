@@ -21,6 +21,8 @@
 
 namespace hexapod {
 
+constexpr useconds_t kLongestStall_us = 60'000;
+
 // --- the stalled driver, a process of its own ---
 
 // Obeys a set-point at the beginning of a callback and tells so, then stalls for some periods.
@@ -37,7 +39,8 @@ inline int driveStalled() {
             sensor_msgs::JointState told = *command;
             told.velocity.assign(1, 1e-9 * static_cast<double>(steadyNow_ns()));
             obeyed.publish(told);
-            usleep(20'000 + static_cast<useconds_t>(random.below(40'000)));
+            usleep(kLongestStall_us / 3 +
+                   static_cast<useconds_t>(random.below(2 * kLongestStall_us / 3)));
           }),
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   ros::spin();
@@ -193,6 +196,7 @@ class OnTheWire {
     }
     waitFor(hexapod_repertoire::ExecutorState::STOPPED);
     waitUntil(now_ns_ + 10 * kPeriod_ns);
+    usleep(kLongestStall_us);  // armed again no sooner than the driver is done with its queue
     pressed.data = false;
     if (by_topic) e_stop_.publish(pressed);
     const std::lock_guard<std::mutex> lock(mutex_);
