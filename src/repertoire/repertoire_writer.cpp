@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 constexpr const char* kTables =
     "CREATE TABLE IF NOT EXISTS entries("
-    "id INTEGER PRIMARY KEY, genome TEXT NOT NULL UNIQUE, x_m REAL NOT NULL, y_m REAL NOT NULL, "
+    "id INTEGER PRIMARY KEY, genome TEXT NOT NULL, x_m REAL NOT NULL, y_m REAL NOT NULL, "
     "yaw_rad REAL NOT NULL, orientation_error_rad REAL NOT NULL, cost REAL NOT NULL, "
     "evaluation INTEGER NOT NULL, "
     "executed_x_m REAL, executed_y_m REAL, executed_yaw_rad REAL, spread_m REAL, spread_rad REAL, "
@@ -40,7 +40,7 @@ void requireSavable(const Repertoire& repertoire) {
   for (const Entry& entry : repertoire.entries) {
     std::string problem = problemOf(entry, geneCount(repertoire));
     if (problem.empty() && !ids.insert(entry.id).second) problem = "occurs twice";
-    if (problem.empty() && !genomes.insert(entry.genome).second) {
+    if (problem.empty() && !entry.genome.empty() && !genomes.insert(entry.genome).second) {
       problem = "has the genome " + toString(entry.genome) + " of another entry";
     }
     if (problem.empty()) continue;

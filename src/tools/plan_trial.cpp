@@ -1,0 +1,194 @@
+#include "tools/plan_trial.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "tools/bench_machine.h"
+#include "tools/touch_check.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::size_t kWorlds = 10;
+// How a behaviour may miss its prediction before the next plan.
+constexpr double kMiss_m = 0.004;
+constexpr double kMiss_rad = 0.008;
+constexpr double kLookAround_m = 0.3;
+
+double normal(Random& random) {
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
+  return radius * std::cos(2.0 * M_PI * random.uniform());
+}
+
+double quantile(std::vector<double> values, double share) {
+  if (values.empty()) return 0.0;
+  std::sort(values.begin(), values.end());
+  const auto last = static_cast<double>(values.size() - 1);
+  return values[static_cast<std::size_t>(std::ceil(share * last))];
+}
+
+double mean(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
+}
+
+/// Draws poses in the middle of cells.
+class PoseDraw {
+ public:
+  PoseDraw(const OccupancyMap& map, Random& random) : map_(map), random_(random) {}
+
+  std::size_t cell() { return static_cast<std::size_t>(random_.below(map_.cells.size())); }
+  Pose2 poseIn(std::size_t cell) {
+    const auto columns = static_cast<std::size_t>(map_.columns);
+    const double x = (static_cast<double>(cell % columns) + 0.5) * map_.resolution_m;
+    const double y = (static_cast<double>(cell / columns) + 0.5) * map_.resolution_m;
+    return map_.world_from_map * Pose2{x, y, random_.uniform(-M_PI, M_PI)};
+  }
+
+ private:
+  const OccupancyMap& map_;
+  Random& random_;
+};
+
+}  // namespace
+
+std::vector<PlanTask> tasksInTheEmpty(std::size_t count, const GoalTolerance& tolerance,
+                                      std::uint64_t seed) {
+  Random random(seed);
+  std::vector<PlanTask> tasks(count);
+  for (PlanTask& task : tasks) {
+    task.request.world_from_goal = {random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0),
+                                    random.uniform(-M_PI, M_PI)};
+    task.request.tolerance = tolerance;
+  }
+  return tasks;
+}
+
+std::vector<PlanTask> tasksIn(const WorldKind& kind, std::size_t count,
+                              const GoalTolerance& tolerance, const Footprint& footprint,
+                              const ObstacleOptions& options, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<PlanTask> tasks;
+  const double radius_m = footprint.outer_m() + options.footprint_margin_m;
+  const bool closed = kind.layout == WorldKind::Layout::kClosedRooms;
+  for (std::size_t w = 0; w < kWorlds; ++w) {
+    const auto map = std::make_shared<const OccupancyMap>(makeWorldOf(kind, random.bits()));
+    const auto obstacles = std::make_shared<const Obstacles>(*map, footprint, options);
+    PoseDraw draw(*map, random);
+    while (tasks.size() < count * (w + 1) / kWorlds) {
+      const std::size_t start = draw.cell();
+      const auto columns = static_cast<std::size_t>(map->columns);
+      const std::vector<char> connected = connectedCells(
+          *map, radius_m, static_cast<int>(start % columns), static_cast<int>(start / columns));
+      if (!connected[start]) continue;
+      const std::size_t goal = draw.cell();
+      const std::vector<char> around = connectedCells(
+          *map, radius_m, static_cast<int>(goal % columns), static_cast<int>(goal / columns));
+      if (!around[goal] || (connected[goal] != 0) == closed) continue;
+      PlanTask task;
+      task.map = map;
+      task.request.world_from_start = draw.poseIn(start);
+      task.request.world_from_goal = draw.poseIn(goal);
+      task.request.tolerance = tolerance;
+      task.request.obstacles = obstacles;
+      tasks.push_back(task);
+    }
+  }
+  return tasks;
+}
+
+PlanTrial PlanTrials::run(const PlanTask& task, Random& random) const {
+  PlanTrial trial;
+  PlanRequest request = task.request;
+  double begin_s = 0.0;
+  bool first = true;
+  request.improved = [&](std::size_t) {
+    if (first) trial.first_s = threadCpu_s() - begin_s;
+    first = false;
+  };
+  begin_s = threadCpu_s();
+  trial.plan = planner_.plan(request);
+  trial.whole_s = threadCpu_s() - begin_s;
+  trial.touch_m = clearance_m(task, trial.plan);
+  if (trial.plan.steps.size() >= 2) planAgain(task, random, trial);
+  return trial;
+}
+
+void PlanTrials::planAgain(const PlanTask& task, Random& random, PlanTrial& trial) const {
+  PlanRequest request = task.request;
+  const Pose2 miss{kMiss_m * normal(random), kMiss_m * normal(random), kMiss_rad * normal(random)};
+  request.world_from_start = trial.plan.steps.front().world_from_end * miss;
+  double begin_s = threadCpu_s();
+  const bool afresh = planner_.plan(request).success();
+  trial.afresh_s = threadCpu_s() - begin_s;
+  request.memory = trial.plan.memory;
+  begin_s = threadCpu_s();
+  const bool again = planner_.plan(request).success();
+  trial.replan_s = threadCpu_s() - begin_s;
+  trial.replanned = afresh && again;
+}
+
+/// Along the simulated path of every behaviour, bent evenly to where it is expected to end.
+double PlanTrials::clearance_m(const PlanTask& task, const PlanResult& plan) const {
+  if (!task.map) return kLookAround_m;
+  const TouchCheck check(*task.map);
+  double least_m = kLookAround_m;
+  Pose2 from = task.request.world_from_start;
+  for (const PlannedStep& step : plan.steps) {
+    const std::vector<Pose2>& way = paths_.at(step.entry);
+    const Pose2 end = repertoire_.entries.at(step.entry).expectedPose();
+    std::vector<Pose2> poses = {from};
+    for (std::size_t i = 0; i < way.size(); ++i) {
+      const double share = static_cast<double>(i + 1) / static_cast<double>(way.size());
+      poses.push_back(from *
+                      Pose2{way[i].x_m + share * (end.x_m - way.back().x_m),
+                            way[i].y_m + share * (end.y_m - way.back().y_m),
+                            way[i].yaw_rad + share * wrapAngle(end.yaw_rad - way.back().yaw_rad)});
+    }
+    least_m = std::min(least_m, check.clearanceAlong_m(poses, footprint_.discs, kLookAround_m));
+    from = step.world_from_end;
+  }
+  return least_m - margin_m_;
+}
+
+const char* const kPlanHeading =
+    "| world | planned | first plan, median / p95 [ms] | whole, median / p99 / max [ms] | "
+    "behaviours "
+    "| proved "
+    "fewest | behaviours / bound | again, median [ms] | afresh / again | touched | least room [cm] "
+    "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
+
+std::string describe(const std::string& name, const std::vector<PlanTrial>& trials) {
+  std::vector<double> first, whole, steps, bounds, again, afresh;
+  std::size_t found = 0, proved = 0, touched = 0;
+  double room_m = kLookAround_m;
+  for (const PlanTrial& trial : trials) {
+    whole.push_back(1e3 * trial.whole_s);
+    if (!trial.plan.success()) continue;
+    ++found;
+    first.push_back(1e3 * trial.first_s);
+    steps.push_back(static_cast<double>(trial.plan.steps.size()));
+    bounds.push_back(static_cast<double>(trial.plan.at_least_steps));
+    proved += trial.plan.gap() == 0 ? 1 : 0;
+    touched += trial.touch_m < 0.0 ? 1 : 0;
+    room_m = std::min(room_m, trial.touch_m);
+    if (!trial.replanned) continue;
+    again.push_back(1e3 * trial.replan_s);
+    afresh.push_back(1e3 * trial.afresh_s);
+  }
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << std::fixed << std::setprecision(1) << "| " << name << " | " << found << " of "
+      << trials.size() << " | " << quantile(first, 0.5) << " / " << quantile(first, 0.95) << " | "
+      << quantile(whole, 0.5) << " / " << quantile(whole, 0.99) << " / " << quantile(whole, 1.0)
+      << " | " << std::setprecision(2) << mean(steps) << " | " << proved << " | "
+      << mean(steps) / std::max(1.0, mean(bounds)) << " | " << quantile(again, 0.5) << " | "
+      << std::setprecision(1) << mean(afresh) / std::max(1e-9, mean(again)) << " | " << touched
+      << " | " << 100.0 * room_m << " |\n";
+  return out.str();
+}
+
+}  // namespace hexapod

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "common/random.h"
+#include "planning/planner.h"
+#include "tools/made_worlds.h"
+
+namespace hexapod {
+
+/// A question of the benchmark, in a world or in none.
+struct PlanTask {
+  std::shared_ptr<const OccupancyMap> map;
+  PlanRequest request;
+};
+
+/// One answer and what it took, in processor time.
+struct PlanTrial {
+  PlanResult plan;
+  double first_s = 0.0;    ///< until there was a plan
+  double whole_s = 0.0;    ///< until the end
+  double afresh_s = 0.0;   ///< planning again after the first behaviour, without memory
+  double replan_s = 0.0;   ///< with the memory of the plan
+  bool replanned = false;  ///< there was a second behaviour to plan again for, and both succeeded
+  double touch_m = 0.0;    ///< smallest clearance that TouchCheck sees; negative: it touches
+};
+
+/// Goals in a square of 4 m around the start, any heading.
+std::vector<PlanTask> tasksInTheEmpty(std::size_t count, const GoalTolerance& tolerance,
+                                      std::uint64_t seed);
+
+/// Starts and goals in ten worlds of a kind: free and connected with each other for a disc of
+/// `radius_m`, or, in a world of rooms without a way, free and not connected.
+std::vector<PlanTask> tasksIn(const WorldKind& kind, std::size_t count,
+                              const GoalTolerance& tolerance, const Footprint& footprint,
+                              const ObstacleOptions& options, std::uint64_t seed);
+
+/// Plans, measures, plans again from about where the first behaviour ends, and checks.
+class PlanTrials {
+ public:
+  /// Keeps references.
+  PlanTrials(const Repertoire& repertoire, const Planner& planner, const EntryPaths& paths,
+             const Footprint& footprint, double margin_m)
+      : repertoire_(repertoire),
+        planner_(planner),
+        paths_(paths),
+        margin_m_(margin_m),
+        footprint_(footprint) {}
+
+  PlanTrial run(const PlanTask& task, Random& random) const;
+
+ private:
+  void planAgain(const PlanTask& task, Random& random, PlanTrial& trial) const;
+  double clearance_m(const PlanTask& task, const PlanResult& plan) const;
+
+  const Repertoire& repertoire_;
+  const Planner& planner_;
+  const EntryPaths& paths_;
+  double margin_m_;
+  const Footprint& footprint_;
+};
+
+/// One line of the report for trials of one kind, in the columns of kPlanHeading.
+std::string describe(const std::string& name, const std::vector<PlanTrial>& trials);
+extern const char* const kPlanHeading;
+
+}  // namespace hexapod
