@@ -33,7 +33,15 @@ Obstacles::Obstacles(const OccupancyMap& map, const Footprint& footprint,
       footprint_(orPoint(footprint).grownBy(options.footprint_margin_m)),
       inner_m_(footprint_.inner_m()),
       offset_m_(footprint_.offset_m()),
-      field_(map, options.unknown_is_free) {}
+      field_(std::make_shared<const DistanceField>(map, options.unknown_is_free)) {}
+
+Obstacles Obstacles::movedTo(const Pose2& world_from_map) const {
+  Obstacles moved = *this;
+  moved.world_from_map_ = world_from_map;
+  moved.cosine_ = std::cos(world_from_map.yaw_rad);
+  moved.sine_ = std::sin(world_from_map.yaw_rad);
+  return moved;
+}
 
 Obstacles::Point Obstacles::mapFromWorld(double x_m, double y_m) const {
   const double x = x_m - world_from_map_.x_m;
@@ -47,7 +55,7 @@ double Obstacles::room(double x_m, double y_m, double cosine, double sine) const
   for (const Disc& disc : footprint_.discs) {
     const double x = x_m + cosine * disc.x_m - sine * disc.y_m;
     const double y = y_m + sine * disc.x_m + cosine * disc.y_m;
-    least = std::min(least, field_.atLeast(x, y) - disc.radius_m);
+    least = std::min(least, field_->atLeast(x, y) - disc.radius_m);
   }
   return least;
 }

@@ -24,6 +24,9 @@ class Obstacles {
   /// `footprint` without margin. Throws std::invalid_argument with problemOf(map).
   Obstacles(const OccupancyMap& map, const Footprint& footprint, const ObstacleOptions& options);
 
+  /// The same map at another place.
+  Obstacles movedTo(const Pose2& world_from_map) const;
+
   /// Room between the footprint with its margin and what is occupied, at least [m]; negative: not
   /// free.
   double clearance_m(const Pose2& world_from_robot) const;
@@ -43,8 +46,8 @@ class Obstacles {
 
   /// Bounds of the room around base_footprint beyond the inner disc of the footprint: where the
   /// upper one is negative the robot can be with no heading at all.
-  double leastRoom_m(const Point& at) const { return field_.atLeast(at.x_m, at.y_m) - inner_m_; }
-  double mostRoom_m(const Point& at) const { return field_.atMost(at.x_m, at.y_m) - inner_m_; }
+  double leastRoom_m(const Point& at) const { return field_->atLeast(at.x_m, at.y_m) - inner_m_; }
+  double mostRoom_m(const Point& at) const { return field_->atMost(at.x_m, at.y_m) - inner_m_; }
   /// Radius of that inner disc, margin included [m].
   double innerRadius_m() const { return inner_m_; }
 
@@ -67,7 +70,7 @@ class Obstacles {
   Footprint footprint_;  ///< with margin
   double inner_m_;
   double offset_m_;
-  DistanceField field_;
+  std::shared_ptr<const DistanceField> field_;
 };
 
 }  // namespace hexapod

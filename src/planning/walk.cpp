@@ -69,7 +69,11 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
   if (decision.plan.code == PlanCode::kAlreadyThere) {
     decision.state = WalkState::kArrived;
     decision.message = "Arrived at " + poseText(world_from_robot) + " after " +
-                       std::to_string(steps_taken_) + " behaviours.";
+                       std::to_string(steps_taken_) + " behaviours" +
+                       (distance(decision.plan.world_from_target, world_from_goal_) > 0.0
+                            ? ", the nearest free pose to the goal " + poseText(world_from_goal_)
+                            : "") +
+                       ".";
     return decision;
   }
   if (const auto problem = problemWith(world_from_robot, decision.state)) {

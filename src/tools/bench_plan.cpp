@@ -22,6 +22,7 @@ namespace hexapod {
 namespace {
 
 constexpr double kDegree = M_PI / 180.0;
+constexpr double kTight_m = 0.05;
 const GoalTolerance kEmptyTolerance{0.01, 1.0 * kDegree};
 const GoalTolerance kCoarseTolerance{0.02, 2.0 * kDegree};
 const GoalTolerance kWorldTolerance{0.02, 3.0 * kDegree};
@@ -64,6 +65,24 @@ std::string describeCodes(const std::vector<PlanTrial>& trials) {
   return text;
 }
 
+/// How many of the goals without a plan lie behind passages that leave the footprint with its
+/// margin less than kTight_m on either side: less than the base sways beside the arc it walks
+/// along.
+std::string describeTight(const std::vector<PlanTask>& tasks, const std::vector<PlanTrial>& trials,
+                          double radius_m) {
+  int failed = 0;
+  int tight = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (trials[i].plan.success()) continue;
+    ++failed;
+    tight += isConnected(tasks[i], radius_m + kTight_m) ? 0 : 1;
+  }
+  if (failed == 0) return "";
+  return "; " + std::to_string(tight) + " of these " + std::to_string(failed) +
+         " through a passage with less than " + fixedText(100.0 * kTight_m, 0) +
+         " cm to spare on either side";
+}
+
 void measureEmpty(const std::string& name, const Repertoire& repertoire,
                   const GoalTolerance& tolerance, const BenchPlanOptions& options, Report& report) {
   const Planner planner(repertoire, PlannerOptions{});
@@ -87,7 +106,10 @@ void measureWorlds(const Repertoire& repertoire, const EntryPaths& paths,
     const auto tasks = tasksIn(kind, count, kWorldTolerance, footprint, obstacle_options, ++seed);
     const std::vector<PlanTrial> results = runAll(trials, tasks, seed);
     report.add(describe(kind.name, results));
-    failures += "- " + kind.name + ": " + describeCodes(results) + "\n";
+    failures +=
+        "- " + kind.name + ": " + describeCodes(results) +
+        describeTight(tasks, results, footprint.outer_m() + obstacle_options.footprint_margin_m) +
+        "\n";
   }
   const WorldKind closed = closedWorldKind();
   const auto tasks = tasksIn(closed, count, kWorldTolerance, footprint, obstacle_options, ++seed);

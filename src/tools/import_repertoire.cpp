@@ -48,12 +48,12 @@ int import(const std::vector<std::string>& arguments) {
   if (options.from.empty() || options.file.empty()) {
     throw std::invalid_argument("import_repertoire needs --from and --file.");
   }
+  const Repertoire repertoire = importRepertoire(options.from, options.import);
   RepertoireWriter writer(options.file);
   if (writer.holdsRepertoire()) {
     throw std::runtime_error("The file " + options.file +
                              " holds a repertoire already; name another one.");
   }
-  const Repertoire repertoire = importRepertoire(options.from, options.import);
   writer.save(repertoire);
   std::cout << repertoire.entries.size() << " entries from " << options.from << " are in "
             << options.file

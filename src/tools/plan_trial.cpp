@@ -25,8 +25,8 @@ double normal(Random& random) {
 double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
   std::sort(values.begin(), values.end());
-  const auto last = static_cast<double>(values.size() - 1);
-  return values[static_cast<std::size_t>(std::ceil(share * last))];
+  const double rank = std::ceil(share * static_cast<double>(values.size()));
+  return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
 }
 
 double mean(const std::vector<double>& values) {
@@ -98,6 +98,19 @@ std::vector<PlanTask> tasksIn(const WorldKind& kind, std::size_t count,
     }
   }
   return tasks;
+}
+
+bool isConnected(const PlanTask& task, double radius_m) {
+  const OccupancyMap& map = *task.map;
+  const auto cellOf = [&map](const Pose2& world) {
+    const Pose2 at = inverse(map.world_from_map) * world;
+    return std::make_pair(static_cast<int>(at.x_m / map.resolution_m),
+                          static_cast<int>(at.y_m / map.resolution_m));
+  };
+  const auto [column, row] = cellOf(task.request.world_from_start);
+  const auto [goal_column, goal_row] = cellOf(task.request.world_from_goal);
+  return connectedCells(map, radius_m, column,
+                        row)[static_cast<std::size_t>(goal_row * map.columns + goal_column)] != 0;
 }
 
 PlanTrial PlanTrials::run(const PlanTask& task, Random& random) const {

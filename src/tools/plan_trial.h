@@ -38,6 +38,9 @@ std::vector<PlanTask> tasksIn(const WorldKind& kind, std::size_t count,
                               const GoalTolerance& tolerance, const Footprint& footprint,
                               const ObstacleOptions& options, std::uint64_t seed);
 
+/// Whether start and goal are connected for a disc of that radius.
+bool isConnected(const PlanTask& task, double radius_m);
+
 /// Plans, measures, plans again from about where the first behaviour ends, and checks.
 class PlanTrials {
  public:

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "repertoire/import_repertoire.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/planner/walk_display.h"
 
@@ -53,12 +54,22 @@ GoalExaminer::Examination GoalExaminer::examine(const GoalRequest& request,
     if (robot.pose) {
       examination.start = *robot.pose;
       plan(stop, examination);
+      if (!request.plan_only && examination.report.success() && cannotBePlayed()) {
+        examination.report = refusal(GoalCode::NO_REPERTOIRE,
+                                     "The repertoire was imported: its entries can be planned with "
+                                     "and shown, but not executed. Learn one for this robot.");
+      }
       return examination;
     }
     refused = refusal(GoalCode::POSE_LOST, robot.problem);
   }
   examination.report = *refused;
   return examination;
+}
+
+bool GoalExaminer::cannotBePlayed() const {
+  const auto planner = means_.repertoire.planner();
+  return planner && isImported(planner->repertoire());
 }
 
 GoalExaminer::Examination GoalExaminer::examineTwist(const Stop& stop) const {
@@ -131,6 +142,8 @@ void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
   request.world_from_goal = examination.goal.pose;
   request.tolerance = examination.goal.tolerance;
   request.stop = stop;
+  if (means_.obstacles) request.obstacles = means_.obstacles();
+  request.goal_policy = means_.options.goalPolicy();
   examination.plan = planner->plan(request);
   WalkReport& report = examination.report;
   report.code = codeOf(examination.plan.code);

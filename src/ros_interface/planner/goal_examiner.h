@@ -25,6 +25,7 @@ class GoalExaminer {
     const PoseSource& poses;
     const RepertoireInUse& repertoire;
     const BehaviorPlayer& player;
+    ObstacleSource obstacles = {};  ///< may be empty
   };
   using Stop = std::function<bool()>;
 
@@ -50,6 +51,7 @@ class GoalExaminer {
   Examination examineTwist(const Stop& stop) const;
   Refusal askPlayer(const Stop& stop) const;
   Refusal askRepertoire(const Stop& stop) const;
+  bool cannotBePlayed() const;
   void plan(const Stop& stop, Examination& examination) const;
   void awaitAtStart(const std::function<bool()>& there, const Stop& stop) const;
 

@@ -4,11 +4,13 @@
 #include <ros/init.h>
 
 #include "ros_interface/common/names.h"
+#include "simulation/swept_footprint.h"
 
 namespace hexapod {
 namespace {
 
 constexpr char kBeliefTopic[] = "body_belief";
+constexpr char kMapTopic[] = "map";
 constexpr double kPoll_s = 0.02;
 constexpr std::int64_t kClockWarnPeriod_ns = 2 * kSecond_ns;
 // Answers on their way to clients.
@@ -41,8 +43,10 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
             if (options_.adaptation == Adaptation::kNone) return nullptr;
             return self_image_.foresightFor(repertoire);
           }),
+      map_(options_, buffer_, robot ? std::make_optional(sweptFootprint(*robot)) : std::nullopt),
       display_(node, private_node, clock_, options.global_frame),
-      walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_}),
+      walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_,
+               [this] { return map_.obstacles(); }}),
       actions_(node, goal_queue_, walker_),
       services_(node, private_node, goal_queue_, walker_),
       cmd_vel_(options.cmd_vel ? std::make_unique<TwistDoor>(node, goal_queue_, clock_, walker_,
@@ -52,10 +56,20 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       repertoire_subscriber_(node.subscribe(names::kRepertoire, 1, &PlannerNode::receive, this)),
       reset_belief_service_(
           private_node.advertiseService("reset_belief", &PlannerNode::onResetBelief, this)),
+      map_spinner_(1, &map_queue_),
       next_clock_warning_ns_(clock_.steadyNow_ns() + kClockWarnPeriod_ns) {
   updater_.setHardwareID("hexapod");
   updater_.add("planner", this, &PlannerNode::report);
   goal_spinner_.start();
+  ros::NodeHandle map_node(node);
+  map_node.setCallbackQueue(&map_queue_);
+  map_subscriber_ = map_node.subscribe(kMapTopic, 1, &PlannerNode::receiveMap, this);
+  map_spinner_.start();
+}
+
+void PlannerNode::receiveMap(const nav_msgs::OccupancyGrid::ConstPtr& map) {
+  const std::string problem = map_.take(*map);
+  if (!problem.empty()) ROS_ERROR_STREAM(problem);
 }
 
 PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {

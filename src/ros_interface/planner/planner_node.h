@@ -19,6 +19,7 @@
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/planner/action_doors.h"
 #include "ros_interface/planner/executor_topics.h"
+#include "ros_interface/planner/map_in_use.h"
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/self_image.h"
 #include "ros_interface/planner/service_doors.h"
@@ -49,6 +50,7 @@ class PlannerNode {
 
   bool onResetBelief(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   void receive(const ros::MessageEvent<Repertoire const>& event);
+  void receiveMap(const nav_msgs::OccupancyGrid::ConstPtr& map);
   void answerAll(End end);
   void watchClock();
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
@@ -63,6 +65,7 @@ class PlannerNode {
   ros::Publisher belief_publisher_;
   SelfImage self_image_;
   RepertoireInUse repertoire_;
+  MapInUse map_;
   WalkDisplay display_;
   Walker walker_;
   ros::CallbackQueue goal_queue_;
@@ -72,6 +75,9 @@ class PlannerNode {
   ros::AsyncSpinner goal_spinner_;
   ros::Subscriber repertoire_subscriber_;
   ros::ServiceServer reset_belief_service_;
+  ros::CallbackQueue map_queue_;  // a large map takes a while
+  ros::Subscriber map_subscriber_;
+  ros::AsyncSpinner map_spinner_;
   std::int64_t next_clock_warning_ns_;
   diagnostic_updater::Updater updater_;
 };

@@ -32,6 +32,23 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
                        "The robot comes to rest this long after the last velocity; shorter than a "
                        "behaviour, one message starts it and breaks it off.",
                        0.1, 60.0));
+  all.push_back(option("unknown_is_free", options.obstacles.unknown_is_free,
+                       "Whether the robot may be where the map is unknown or ends."));
+  all.push_back(option("footprint_margin_m", options.obstacles.footprint_margin_m, "m",
+                       "Room kept between what body and feet sweep and occupied cells.", 0.0,
+                       10.0));
+  all.push_back(option("footprint_radius_m", options.footprint_radius_m, "m",
+                       "Radius of what body and feet sweep; 0: that of the robot's description, "
+                       "which ~robot_config names.",
+                       0.0, 100.0));
+  all.push_back(option("goal_policy", options.goal_policy,
+                       "What is done about a goal where the robot cannot stand: refuse it, or walk "
+                       "to the nearest free pose that has a way.",
+                       {"refuse", "nearest"}));
+  all.push_back(option("blocked_retry_s", options.blocked_retry_s, "s",
+                       "How long a walk waits, standing, for a way that obstacles close to open "
+                       "again; 0: it ends at once.",
+                       0.0, 86400.0));
   return all;
 }
 

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "common/options.h"
-#include "planning/planner_options.h"
+#include "planning/obstacles.h"
+#include "planning/plan.h"
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
@@ -27,6 +28,14 @@ struct PlannerNodeOptions {
   double pose_settle_s = 0.15;
   bool cmd_vel = false;
   double cmd_vel_timeout_s = 4.0;
+  ObstacleOptions obstacles;
+  double footprint_radius_m = 0.0;     ///< 0: what the robot's description says
+  std::string goal_policy = "refuse";  ///< or nearest
+  double blocked_retry_s = 0.0;        ///< 0: a blocked walk ends at once
+
+  GoalPolicy goalPolicy() const {
+    return goal_policy == "nearest" ? GoalPolicy::kNearest : GoalPolicy::kRefuse;
+  }
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

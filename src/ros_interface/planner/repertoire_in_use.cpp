@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planning/deviation.h"
+#include "repertoire/import_repertoire.h"
 #include "ros_interface/common/conversions.h"
 
 namespace hexapod {
@@ -28,7 +29,8 @@ std::shared_ptr<AdaptivePlanner> RepertoireInUse::planner() const {
 
 std::string RepertoireInUse::whyRefused(const hexapod_repertoire::Repertoire& message,
                                         const std::string& publisher) const {
-  if (!message.robot_id.empty() && !robot_id_.empty() && message.robot_id != robot_id_) {
+  if (!message.robot_id.empty() && message.robot_id != kImported && !robot_id_.empty() &&
+      message.robot_id != robot_id_) {
     return "The repertoire of " + publisher + " was learned for the robot " + message.robot_id +
            ", this one is " + robot_id_ + "; learn one for this robot description.";
   }

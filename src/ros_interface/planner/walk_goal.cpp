@@ -11,11 +11,15 @@ std::uint8_t codeOf(PlanCode code) {
       return GoalCode::INVALID_GOAL;
     case PlanCode::kNoRepertoire:
       return GoalCode::NO_REPERTOIRE;
-    case PlanCode::kUnreachable:
     case PlanCode::kGoalOccupied:
+      return GoalCode::GOAL_OCCUPIED;
     case PlanCode::kStartOccupied:
+      return GoalCode::START_OCCUPIED;
     case PlanCode::kBlocked:
+      return GoalCode::BLOCKED;
     case PlanCode::kTooManySteps:
+      return GoalCode::TOO_MANY_STEPS;
+    case PlanCode::kUnreachable:
       return GoalCode::UNREACHABLE;
     case PlanCode::kTimeout:
       return GoalCode::PLANNING_TIMEOUT;

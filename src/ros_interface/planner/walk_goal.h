@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -53,6 +54,10 @@ struct WalkReport {
 
   bool success() const { return code == GoalCode::SUCCEEDED; }
 };
+
+/// Where the robot may be, asked before each plan and during each behaviour; null: everywhere. The
+/// same object as long as nothing has changed.
+using ObstacleSource = std::function<std::shared_ptr<const Obstacles>()>;
 
 /// How far a walk is, told before each behaviour.
 struct WalkProgress {

@@ -1,5 +1,6 @@
 #include "ros_interface/planner/walk_run.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "ros_interface/common/conversions.h"
@@ -10,6 +11,22 @@ namespace {
 
 // A behaviour is broken off when the pose has been lost for so long, beyond pose_timeout_s.
 constexpr std::int64_t kPoseMayReturn_ns = kSecond_ns / 2;
+// How often a blocked walk looks whether a way has opened.
+constexpr std::int64_t kRetry_ns = kSecond_ns / 2;
+// What the robot takes to its neutral pose after a behaviour was broken off.
+constexpr double kBrokenOff_s = 1.0;
+
+WalkOptions walkOptions(const PlannerNodeOptions& options) {
+  WalkOptions walk_options;
+  walk_options.goal_policy = options.goalPolicy();
+  return walk_options;
+}
+
+// Ways that may open again.
+bool isBlocked(const Walk::Decision& decision) {
+  return decision.state == WalkState::kNoPlan && (decision.plan.code == PlanCode::kBlocked ||
+                                                  decision.plan.code == PlanCode::kGoalOccupied);
+}
 
 }  // namespace
 
@@ -17,7 +34,7 @@ WalkRun::WalkRun(const Means& means, OpenGoal& goal, std::shared_ptr<AdaptivePla
     : means_(means),
       goal_(goal),
       planner_(std::move(planner)),
-      walk_(planner_, goal.goal().pose, goal.goal().tolerance) {}
+      walk_(planner_, goal.goal().pose, goal.goal().tolerance, walkOptions(means.options)) {}
 
 WalkReport WalkRun::run() {
   means_.watcher.showGoal(goal_.goal().pose);
@@ -54,17 +71,52 @@ void WalkRun::noteWhereRobotIs(const Pose2& robot) {
   goal_.note(report_);
 }
 
+Walk::Decision WalkRun::decide() {
+  obstacles_ = means_.obstacles ? means_.obstacles() : nullptr;
+  walk_.setObstacles(obstacles_);
+  return walk_.decide(walked_.back(), [this] { return goal_.ended(); });
+}
+
+Walk::Decision WalkRun::decideOnceOpen() {
+  const std::int64_t until_ns =
+      means_.clock.steadyNow_ns() +
+      static_cast<std::int64_t>(means_.options.blocked_retry_s * static_cast<double>(kSecond_ns));
+  Walk::Decision decision = decide();
+  const auto isOver = [this] { return goal_.ended() || means_.newer_is_next(); };
+  while (isBlocked(decision) && !isOver() && means_.clock.steadyNow_ns() < until_ns) {
+    means_.clock.waitUntil(means_.clock.steadyNow_ns() + kRetry_ns, isOver);
+    if (means_.obstacles && means_.obstacles() == obstacles_) continue;
+    walk_.disregardLastStep();
+    decision = decide();
+  }
+  return decision;
+}
+
+bool WalkRun::wouldTouch() {
+  if (!means_.obstacles) return false;
+  const std::shared_ptr<const Obstacles> obstacles = means_.obstacles();
+  if (obstacles == obstacles_) return false;
+  obstacles_ = obstacles;
+  if (!obstacles) return false;
+  // Where it stood within its margin before, it is not stopped for being there.
+  const double stood_m = std::min(0.0, obstacles->clearance_m(walked_.back()));
+  return planner_->planner()->clearance_m(*obstacles, walked_.back(), entry_) < stood_m;
+}
+
 std::optional<PlannedStep> WalkRun::plan() {
   const Pose2& robot = walked_.back();
   const WalkGoal& goal = goal_.goal();
-  const Walk::Decision decision = walk_.decide(robot, [this] { return goal_.ended(); });
+  const Walk::Decision decision = decideOnceOpen();
   if (goal_.ended()) return std::nullopt;
   means_.watcher.showPlan(robot, decision.plan, walked_, goal.pose, goal.tolerance.xy_m);
   if (report_.steps == 0) {
     report_.plan = pathOf(robot, decision.plan, means_.options.global_frame, means_.clock.rosNow());
   }
   if (decision.state != WalkState::kStep) {
-    end(codeOf(decision), decision.message);
+    // Where it was led instead is not where it was to go.
+    const bool elsewhere = decision.state == WalkState::kArrived &&
+                           distance(decision.plan.world_from_target, goal.pose) > 0.0;
+    end(elsewhere ? std::uint8_t{GoalCode::GOAL_OCCUPIED} : codeOf(decision), decision.message);
     return std::nullopt;
   }
   goal_.tellProgress({report_.final_pose, report_.steps,
@@ -75,6 +127,8 @@ std::optional<PlannedStep> WalkRun::plan() {
 
 bool WalkRun::isToBreakOff() {
   if (goal_.ended()) return true;
+  touches_ = touches_ || wouldTouch();
+  if (touches_) return true;
   const PoseReading robot = means_.poses.latest();
   const std::int64_t now_ns = means_.clock.steadyNow_ns();
   if (robot.pose) {
@@ -89,6 +143,8 @@ bool WalkRun::isToBreakOff() {
 bool WalkRun::play(const PlannedStep& step) {
   const Repertoire& repertoire = planner_->repertoire();
   seen_ns_ = means_.clock.steadyNow_ns();
+  entry_ = step.entry;
+  touches_ = false;
   const BehaviorPlayer::Result result =
       means_.player.play({repertoire.entries.at(step.entry), repertoire.run_id, goal_.stops,
                           [this] { return isToBreakOff(); }});
@@ -96,6 +152,13 @@ bool WalkRun::play(const PlannedStep& step) {
   if (!pose_problem_.empty()) {
     end(GoalCode::POSE_LOST, pose_problem_);
     return false;
+  }
+  if (touches_ && result.end == BehaviorPlayer::End::kCancelled) {
+    ++report_.steps;
+    walk_.disregardLastStep();
+    played_.reset();
+    rest_ = means_.clock.rosNow() + ros::Duration(kBrokenOff_s);
+    return true;
   }
   if (result.end != BehaviorPlayer::End::kPlayed) {
     end(codeOf(result.end), "The walk ended, no behaviour is played any more: " + result.message);

@@ -26,6 +26,7 @@ class WalkRun {
     BehaviorPlayer& player;
     WalkWatcher& watcher;
     std::function<bool()> newer_is_next;  ///< asked at rest: another goal takes over
+    ObstacleSource obstacles = {};        ///< may be empty
   };
 
   WalkRun(const Means& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner);
@@ -36,6 +37,12 @@ class WalkRun {
  private:
   /// Reads where the robot came to rest. False when the walk has ended.
   bool measure();
+  /// Decides what to do there, with the obstacles of now.
+  Walk::Decision decide();
+  /// The same, while obstacles close every way, until they open or blocked_retry_s is over.
+  Walk::Decision decideOnceOpen();
+  /// Whether the behaviour under way would touch what a new map shows.
+  bool wouldTouch();
   /// Plans from there. The behaviour to play, nothing when the walk has ended.
   std::optional<PlannedStep> plan();
   /// Has it played. False when the walk has ended.
@@ -55,6 +62,9 @@ class WalkRun {
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
   std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady
   std::string pose_problem_;           // why the behaviour under way is broken off
+  std::shared_ptr<const Obstacles> obstacles_;  // that the behaviour under way was judged by
+  std::size_t entry_ = 0;                       // of the behaviour under way
+  bool touches_ = false;                        // it is broken off as it would touch something new
 };
 
 }  // namespace hexapod

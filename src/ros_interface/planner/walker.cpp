@@ -31,7 +31,8 @@ void log(const std::string& id, const WalkReport& report) {
 
 Walker::Walker(const Means& means)
     : means_(means),
-      examiner_({means.options, means.clock, means.poses, means.repertoire, means.player}) {
+      examiner_({means.options, means.clock, means.poses, means.repertoire, means.player,
+                 means.obstacles}) {
   for (int i = 0; i < kExaminers; ++i) threads_.emplace_back(&Walker::examineGoals, this);
   threads_.emplace_back(&Walker::walkToGoals, this);
 }
@@ -95,9 +96,10 @@ WalkReport Walker::walkTo(OpenGoal& goal) {
     return walkByTwist({means_.player, [this] { return book_.newerIsNext(); }}, goal,
                        *means_.repertoire.planner());
   }
-  const WalkRun::Means means{means_.options, means_.clock,
-                             means_.poses,   means_.player,
-                             means_.watcher, [this] { return book_.newerIsNext(); }};
+  const WalkRun::Means means{means_.options,  means_.clock,
+                             means_.poses,    means_.player,
+                             means_.watcher,  [this] { return book_.newerIsNext(); },
+                             means_.obstacles};
   // One repertoire for the whole walk; the goal was examined with it or an earlier one.
   return WalkRun(means, goal, means_.repertoire.planner()).run();
 }

@@ -23,6 +23,7 @@ class Walker {
     const RepertoireInUse& repertoire;
     BehaviorPlayer& player;
     WalkWatcher& watcher;
+    ObstacleSource obstacles = {};  ///< may be empty
   };
 
   explicit Walker(const Means& means);

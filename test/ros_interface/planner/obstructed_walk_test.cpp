@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+
+#include "planning/arc_repertoire.h"
+#include "planning/made_map.h"
+#include "repertoire/import_repertoire.h"
+#include "ros_interface/fake_clock.h"
+#include "ros_interface/planner/fakes.h"
+#include "ros_interface/planner/walker.h"
+
+namespace hexapod {
+namespace {
+
+using Shared = std::shared_ptr<const Obstacles>;
+
+/// Walls of 10 cm at a distance from the origin, closed or with a gap of 1.2 m to the left.
+Shared wallsAround(double distance_m, bool gap) {
+  return obstaclesOf([=](double x_m, double y_m) {
+    const double out_m = std::max(std::abs(x_m), std::abs(y_m));
+    return out_m > distance_m && out_m < distance_m + 0.1 &&
+           !(gap && x_m < 0.0 && std::abs(y_m) < 0.6);
+  });
+}
+
+// Walks with a made-up executor, pose, clock and map: no master, no waiting.
+class ObstructedWalk : public testing::Test {
+ protected:
+  ObstructedWalk() {
+    Repertoire repertoire = arcRepertoire(300, 1);
+    repertoire.run_id = "run";
+    repertoire_.take(toMsg(repertoire, ros::Time(1.0)), "/server");
+  }
+
+  void show(Shared obstacles) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    obstacles_ = std::move(obstacles);
+  }
+
+  std::unique_ptr<Walker> walker() {
+    return std::make_unique<Walker>(
+        Walker::Means{options_, clock_, poses_, repertoire_, player_, watcher_, [this] {
+                        const std::lock_guard<std::mutex> lock(mutex_);
+                        return obstacles_;
+                      }});
+  }
+
+  WalkReport walk(const GoalRequest& request) {
+    Client client;
+    const auto walking = walker();
+    walking->submit(request, client.listener());
+    return client.waitForEnd();
+  }
+
+  void waitForBehaviour(int number) {
+    while (player_.begun < number) std::this_thread::yield();
+  }
+
+  PlannerNodeOptions options_;
+  FakeClock clock_;
+  FakePoseSource poses_;
+  FakePlayer player_{poses_};
+  FakeWatcher watcher_;
+  RepertoireInUse repertoire_{PlannerOptions(), "", [] { return std::vector<std::string>(); }};
+  std::mutex mutex_;
+  Shared obstacles_;
+};
+
+TEST_F(ObstructedWalk, GoesAroundWhatTheMapShows) {
+  show(wallsAround(2.0, true));
+  const WalkReport report = walk(goalAt(3.0, 0.0, 0.0));
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  double leftmost_m = 0.0;
+  for (const auto& pose : report.plan.poses) {
+    leftmost_m = std::min(leftmost_m, pose.pose.position.x);
+    EXPECT_TRUE(obstacles_->clearance_m({pose.pose.position.x, pose.pose.position.y, 0.0}) > -0.03);
+  }
+  EXPECT_LT(leftmost_m, -2.0) << "not out by the gap";
+}
+
+TEST_F(ObstructedWalk, RefusesGoalsWithTheirReason) {
+  show(wallsAround(2.0, false));
+  EXPECT_EQ(walk(goalAt(3.0, 0.0, 0.0)).code, GoalCode::BLOCKED);
+  EXPECT_EQ(walk(goalAt(2.05, 0.0, 0.0)).code, GoalCode::GOAL_OCCUPIED);
+  poses_.set({Pose2{2.05, 0.0, 0.0}, ""});
+  EXPECT_EQ(walk(goalAt(0.0, 0.0, 0.0)).code, GoalCode::START_OCCUPIED);
+  EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(ObstructedWalk, WalksToTheNearestFreePoseByOptionAndDoesNotCallThatSuccess) {
+  options_.goal_policy = "nearest";
+  show(wallsAround(2.0, false));
+  const WalkReport report = walk(goalAt(2.05, 0.0, 0.0));
+  EXPECT_EQ(report.code, GoalCode::GOAL_OCCUPIED);
+  EXPECT_NE(report.message.find("nearest free pose"), std::string::npos) << report.message;
+  EXPECT_NEAR(poses_.latest().pose->x_m, 2.0 - 0.33, 0.15);
+}
+
+TEST_F(ObstructedWalk, BreaksOffABehaviourThatWouldTouchWhatANewMapShowsAndGoesAnotherWay) {
+  player_.held = true;
+  Client client;
+  const auto walking = walker();
+  walking->submit(goalAt(3.0, 0.0, 0.0), client.listener());
+  waitForBehaviour(1);
+  show(obstaclesOf(
+      [](double x_m, double y_m) { return std::abs(x_m - 0.5) < 0.1 && std::abs(y_m) < 0.8; }));
+  waitForBehaviour(2);  // nobody released the first
+  player_.held = false;
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+}
+
+TEST_F(ObstructedWalk, FinishesABehaviourThatANewMapLeavesAlone) {
+  player_.held = true;
+  Client client;
+  const auto walking = walker();
+  walking->submit(goalAt(1.2, 0.0, 0.0), client.listener());
+  waitForBehaviour(1);
+  show(wallsAround(2.0, false));
+  // Asked for by the behaviour, and again: it has seen the new map and goes on.
+  while (obstacles_.use_count() < 2) std::this_thread::yield();
+  player_.held = false;
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_EQ(player_.begun, static_cast<int>(report.steps));
+  EXPECT_EQ(watcher_.steps, static_cast<int>(report.steps)) << "one was broken off";
+}
+
+TEST_F(ObstructedWalk, StandsWhileEveryWayIsClosedAndArrivesWhenOneOpens) {
+  options_.blocked_retry_s = 60.0;
+  player_.held = true;
+  Client client;
+  const auto walking = walker();
+  walking->submit(goalAt(3.0, 0.0, 0.0), client.listener());
+  waitForBehaviour(1);
+  clock_.on_step = [this, until_ns = clock_.steadyNow_ns() + 20 * kSecond_ns] {
+    if (clock_.steadyNow_ns() > until_ns) show(wallsAround(2.0, true));
+  };
+  show(wallsAround(2.0, false));
+  player_.held = false;
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_GE(clock_.steadyNow_ns(), 20 * kSecond_ns);
+}
+
+TEST_F(ObstructedWalk, EndsBlockedWhenNoWayOpensInTime) {
+  options_.blocked_retry_s = 10.0;
+  player_.held = true;
+  Client client;
+  const auto walking = walker();
+  walking->submit(goalAt(3.0, 0.0, 0.0), client.listener());
+  waitForBehaviour(1);
+  show(wallsAround(2.0, false));
+  player_.held = false;
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::BLOCKED);
+}
+
+TEST_F(ObstructedWalk, PlansWithAnImportedRepertoireButDoesNotWalkWithIt) {
+  Repertoire imported = arcRepertoire(300, 1);
+  imported.robot_id = kImported;
+  for (Entry& entry : imported.entries) entry.genome.clear();
+  RepertoireInUse in_use(PlannerOptions(), "robot", [] { return std::vector<std::string>(); });
+  ASSERT_TRUE(in_use.take(toMsg(imported, ros::Time(1.0)), "/server").in_use);
+  Walker walking({options_, clock_, poses_, in_use, player_, watcher_});
+  Client walks;
+  walking.submit(goalAt(1.0, 0.3, 0.0), walks.listener());
+  const WalkReport refused = walks.waitForEnd();
+  EXPECT_EQ(refused.code, GoalCode::NO_REPERTOIRE);
+  EXPECT_NE(refused.message.find("imported"), std::string::npos) << refused.message;
+  Client plans;
+  GoalRequest request = goalAt(1.0, 0.3, 0.0);
+  request.plan_only = true;
+  walking.submit(request, plans.listener());
+  EXPECT_EQ(plans.waitForEnd().code, GoalCode::SUCCEEDED);
+  EXPECT_EQ(player_.begun, 0);
+}
+
+}  // namespace
+}  // namespace hexapod
