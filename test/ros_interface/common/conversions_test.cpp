@@ -79,7 +79,8 @@ TEST(RepertoireMessage, IsRefusedWithTheEntryNamed) {
   EXPECT_NE(refusal(wrong).find("entry 1 has an end pose that is not finite"), std::string::npos);
   wrong = message;
   wrong.entries[1].spread_m = kNan;
-  EXPECT_NE(refusal(wrong).find("entry 2 has a spread that is negative or not finite"), std::string::npos);
+  EXPECT_NE(refusal(wrong).find("entry 2 has a spread that is negative or not finite"),
+            std::string::npos);
   wrong = message;
   wrong.entries[1].falls = wrong.entries[1].trials + 1;
   EXPECT_NE(refusal(wrong).find("falls in"), std::string::npos);
