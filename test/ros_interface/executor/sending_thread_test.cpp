@@ -105,6 +105,7 @@ TEST_F(SendingThreadTest, AStopReturnsWhenTheCommandUnderWayIsOutAndNoneFollows)
   sender_.waitUntilSending();
   tick();
   std::thread stopper([this] { executor_.stop(Reason::kStopRequested); });
+  while (executor_.status().mode != ExecutorMode::kStopped) executor_.serve();
   sender_.hold(false);
   stopper.join();
   EXPECT_EQ(sender_.waitFor(1), std::vector<std::int64_t>{1000});
