@@ -29,27 +29,31 @@ void addDrift(const Eigen::Vector2d& drift_m, PlanResult& result) {
 }  // namespace
 
 AdaptivePlanner::AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options,
-                                 std::shared_ptr<Foresight> foresight)
+                                 std::shared_ptr<Foresight> foresight, EntryPaths paths)
     : repertoire_(std::make_shared<const Repertoire>(repertoire)),
       options_(options),
       foresight_(std::move(foresight)),
       expected_(foresight_ ? foresight_->expected(repertoire_) : repertoire_),
-      planner_(std::make_shared<const Planner>(*expected_, options_)) {}
+      paths_(std::move(paths)) {
+  rebuild();
+}
 
 AdaptivePlanner::AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options)
     : AdaptivePlanner(repertoire, options, std::make_shared<DeviationForesight>()) {}
 
-AdaptivePlanner::AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier)
-    : AdaptivePlanner(repertoire, earlier.options_, earlier.foresight_) {}
+AdaptivePlanner::AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier,
+                                 EntryPaths paths)
+    : AdaptivePlanner(repertoire, earlier.options_, earlier.foresight_, std::move(paths)) {}
 
 AdaptivePlanner::AdaptivePlanner(const AdaptivePlanner& like, std::shared_ptr<Foresight> foresight)
     : repertoire_(like.repertoire_),
       options_(like.options_),
       foresight_(std::move(foresight)),
       expected_(foresight_ ? foresight_->expected(repertoire_) : repertoire_),
-      planner_(expected_ == like.expected_
-                   ? like.planner()
-                   : std::make_shared<const Planner>(*expected_, options_)) {}
+      paths_(like.paths_),
+      planner_(expected_ == like.expected_ ? like.planner() : nullptr) {
+  if (!planner_) rebuild();
+}
 
 std::shared_ptr<const Planner> AdaptivePlanner::planner() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -84,16 +88,19 @@ void AdaptivePlanner::observe(std::size_t entry, const Pose2& world_from_before,
   foresight_->observe(
       {repertoire_->entries.at(entry), world_from_before, world_from_after, joints});
   std::shared_ptr<const Repertoire> expected = foresight_->expected(repertoire_);
+  const std::lock_guard<std::mutex> lock(build_mutex_);
   if (expected == expected_) return;
   expected_ = std::move(expected);
   rebuild();
 }
 
 void AdaptivePlanner::setPaths(EntryPaths paths) {
+  const std::lock_guard<std::mutex> lock(build_mutex_);
   paths_ = std::move(paths);
   rebuild();
 }
 
+/// With build_mutex_, or before anybody else knows of it.
 void AdaptivePlanner::rebuild() {
   auto planner = std::make_shared<const Planner>(*expected_, options_, Deviation{}, paths_);
   const std::lock_guard<std::mutex> lock(mutex_);

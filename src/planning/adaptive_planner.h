@@ -10,26 +10,27 @@
 namespace hexapod {
 
 /// A planner that follows what is learned of the robot: built anew whenever its Foresight expects
-/// something else of the repertoire. plan() and planner() may be called from any thread, observe()
-/// from one.
+/// something else of the repertoire, or more of its paths is known. From any thread; observe() from
+/// one at a time.
 class AdaptivePlanner {
  public:
-  /// Without a foresight the repertoire is taken at its word.
+  /// Without a foresight the repertoire is taken at its word. `paths` as far as they are known.
   AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options,
-                  std::shared_ptr<Foresight> foresight);
+                  std::shared_ptr<Foresight> foresight, EntryPaths paths = {});
   /// Learns how the robot deviates from its repertoire, all behaviours alike.
   AdaptivePlanner(const Repertoire& repertoire, const PlannerOptions& options);
 
   /// For a newer state of the same repertoire: knows what `earlier` has learned, and what it learns
   /// from now on in a walk that still goes on with it.
-  AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier);
+  AdaptivePlanner(const Repertoire& repertoire, const AdaptivePlanner& earlier,
+                  EntryPaths paths = {});
 
   /// For another robot that walks with the same repertoire and options.
   AdaptivePlanner(const AdaptivePlanner& like, std::shared_ptr<Foresight> foresight);
 
   const Repertoire& repertoire() const { return *repertoire_; }
 
-  /// Plans along these paths from now on. By the thread of observe().
+  /// Plans along these paths from now on. Takes some 50 ms.
   void setPaths(EntryPaths paths);
 
   /// The planner as of the last observation; it stays as it is for whoever holds it.
@@ -51,7 +52,8 @@ class AdaptivePlanner {
   const std::shared_ptr<const Repertoire> repertoire_;
   const PlannerOptions options_;
   const std::shared_ptr<Foresight> foresight_;
-  std::shared_ptr<const Repertoire> expected_;  // of planner_
+  std::mutex build_mutex_;                      // one builds at a time
+  std::shared_ptr<const Repertoire> expected_;  // of planner_; guarded by build_mutex_
   EntryPaths paths_;                            // likewise
   mutable std::mutex mutex_;
   std::shared_ptr<const Planner> planner_;  // guarded by mutex_

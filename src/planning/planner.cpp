@@ -136,6 +136,12 @@ bool Planner::movesTarget(const PlanRequest& request, PlanResult& result, PlanCo
   return false;
 }
 
+std::vector<std::size_t> Planner::entries() const {
+  std::vector<std::size_t> entries;
+  for (const Move& move : tables_.moves) entries.push_back(move.entry);
+  return entries;
+}
+
 double Planner::turn_rad() const {
   double turn_rad = 0.0;
   for (const Move& move : tables_.moves) turn_rad = std::max(turn_rad, std::abs(move.end.yaw_rad));

@@ -41,8 +41,11 @@ class Planner {
   double clearance_m(const Obstacles& obstacles, const Pose2& world_from_start,
                      std::size_t entry) const;
 
-  /// Entries that take part in planning.
+  /// Entries that take part in planning: how many, and their indices.
+  /// @{
   std::size_t usableEntries() const { return tables_.moves.size(); }
+  std::vector<std::size_t> entries() const;
+  /// @}
 
   /// How far the farthest of them leads [m], and the largest heading change [rad]; 0 when there is
   /// none.

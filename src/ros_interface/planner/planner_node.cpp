@@ -34,6 +34,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                   [this](const hexapod_repertoire::BodyBelief& belief) {
                     belief_publisher_.publish(belief);
                   }),
+      paths_(robot),
       repertoire_(
           options.planner, robot ? robot->digest : "",
           [this, topic = node.resolveName(names::kRepertoire)] {
@@ -42,7 +43,8 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
           [this](const hexapod::Repertoire& repertoire) -> std::shared_ptr<Foresight> {
             if (options_.adaptation == Adaptation::kNone) return nullptr;
             return self_image_.foresightFor(repertoire);
-          }),
+          },
+          [this](const hexapod::Repertoire& repertoire) { return paths_.known(repertoire); }),
       map_(options_, buffer_, robot ? std::make_optional(sweptFootprint(*robot)) : std::nullopt),
       display_(node, private_node, clock_, options.global_frame),
       walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_,
@@ -99,6 +101,7 @@ void PlannerNode::receive(const ros::MessageEvent<Repertoire const>& event) {
   const auto taken = repertoire_.take(*event.getConstMessage(), event.getPublisherName());
   if (taken.in_use) {
     ROS_INFO_STREAM(taken.message);
+    paths_.serve(repertoire_.planner());
   } else {
     ROS_ERROR_STREAM(taken.message);
   }
@@ -133,6 +136,7 @@ void PlannerNode::report(diagnostic_updater::DiagnosticStatusWrapper& diagnostic
   diagnostics.add("Run", planner->repertoire().run_id);
   diagnostics.add("Entries", planner->repertoire().entries.size());
   diagnostics.add("Entries planned with", planner->planner()->usableEntries());
+  diagnostics.add("Entries whose way is simulated", paths_.count());
 }
 
 }  // namespace hexapod

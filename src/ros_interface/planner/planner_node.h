@@ -23,6 +23,7 @@
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/self_image.h"
 #include "ros_interface/planner/service_doors.h"
+#include "ros_interface/planner/simulated_paths.h"
 #include "ros_interface/planner/tf_pose_source.h"
 #include "ros_interface/planner/twist_door.h"
 #include "ros_interface/planner/walk_display.h"
@@ -64,6 +65,7 @@ class PlannerNode {
   ExecutorTopics executor_;
   ros::Publisher belief_publisher_;
   SelfImage self_image_;
+  SimulatedPaths paths_;
   RepertoireInUse repertoire_;
   MapInUse map_;
   WalkDisplay display_;

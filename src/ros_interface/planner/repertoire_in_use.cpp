@@ -12,11 +12,12 @@ namespace hexapod {
 
 RepertoireInUse::RepertoireInUse(const PlannerOptions& options, std::string robot_id,
                                  std::function<std::vector<std::string>()> publishers,
-                                 ForesightFor foresight_for)
+                                 ForesightFor foresight_for, PathsOf paths_of)
     : options_(options),
       robot_id_(std::move(robot_id)),
       publishers_(std::move(publishers)),
-      foresight_for_(std::move(foresight_for)) {}
+      foresight_for_(std::move(foresight_for)),
+      paths_of_(std::move(paths_of)) {}
 
 std::shared_ptr<Foresight> RepertoireInUse::deviationOf(const Repertoire&) {
   return std::make_shared<DeviationForesight>();
@@ -52,9 +53,10 @@ RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoir
     const Repertoire repertoire = fromMsg(message);
     const bool same_run =
         earlier && !repertoire.run_id.empty() && earlier->repertoire().run_id == repertoire.run_id;
-    fresh = same_run ? std::make_shared<AdaptivePlanner>(repertoire, *earlier)
-                     : std::make_shared<AdaptivePlanner>(repertoire, options_,
-                                                         foresight_for_(repertoire));
+    fresh = same_run
+                ? std::make_shared<AdaptivePlanner>(repertoire, *earlier, paths_of_(repertoire))
+                : std::make_shared<AdaptivePlanner>(
+                      repertoire, options_, foresight_for_(repertoire), paths_of_(repertoire));
   } catch (const std::exception& error) {
     return {false, error.what() + kept};
   }

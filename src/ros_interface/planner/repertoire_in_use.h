@@ -25,12 +25,14 @@ class RepertoireInUse {
 
   /// What is to be expected of a repertoire; null: what it says.
   using ForesightFor = std::function<std::shared_ptr<Foresight>(const Repertoire&)>;
+  /// Its paths that are known.
+  using PathsOf = std::function<EntryPaths(const Repertoire&)>;
 
   /// `robot_id`: digest of the robot description, or empty: any robot's will do. `publishers`: the
   /// nodes that publish repertoires now.
   RepertoireInUse(const PlannerOptions& options, std::string robot_id,
                   std::function<std::vector<std::string>()> publishers,
-                  ForesightFor foresight_for = deviationOf);
+                  ForesightFor foresight_for = deviationOf, PathsOf paths_of = noPaths);
 
   /// A message of `publisher`. Refused, the one before stays in use. Takes some 50 ms.
   Taken take(const hexapod_repertoire::Repertoire& message, const std::string& publisher);
@@ -40,6 +42,7 @@ class RepertoireInUse {
 
  private:
   static std::shared_ptr<Foresight> deviationOf(const Repertoire& repertoire);
+  static EntryPaths noPaths(const Repertoire&) { return {}; }
   std::string whyRefused(const hexapod_repertoire::Repertoire& message,
                          const std::string& publisher) const;
 
@@ -47,6 +50,7 @@ class RepertoireInUse {
   std::string robot_id_;
   std::function<std::vector<std::string>()> publishers_;
   ForesightFor foresight_for_;
+  PathsOf paths_of_;
   std::string publisher_;  // of the one in use; thread of take()
   mutable std::mutex mutex_;
   std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_
