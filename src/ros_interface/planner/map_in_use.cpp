@@ -2,7 +2,7 @@
 
 #include <tf2/exceptions.h>
 
-#include <exception>
+#include <utility>
 
 #include "ros_interface/common/conversions.h"
 
@@ -17,16 +17,6 @@ bool isSame(const Pose2& a, const Pose2& b) {
   return distance(a, b) < kSame_m && headingDistance(a, b) < kSame_rad;
 }
 
-OccupancyMap fromMsg(const nav_msgs::OccupancyGrid& message, const Pose2& global_from_map) {
-  OccupancyMap map;
-  map.world_from_map = global_from_map;
-  map.resolution_m = message.info.resolution;
-  map.columns = static_cast<int>(message.info.width);
-  map.rows = static_cast<int>(message.info.height);
-  map.cells = message.data;
-  return map;
-}
-
 }  // namespace
 
 MapInUse::MapInUse(const PlannerNodeOptions& options, const tf2::BufferCore& buffer,
@@ -35,6 +25,16 @@ MapInUse::MapInUse(const PlannerNodeOptions& options, const tf2::BufferCore& buf
   if (options.footprint_radius_m > 0.0) {
     footprint_ = Footprint{{{0.0, 0.0, options.footprint_radius_m}}};
   }
+  thread_ = std::thread(&MapInUse::work, this);
+}
+
+MapInUse::~MapInUse() {
+  {
+    const std::lock_guard<std::mutex> lock(taking_mutex_);
+    leaves_ = true;
+  }
+  changed_.notify_all();
+  thread_.join();
 }
 
 std::string MapInUse::take(const nav_msgs::OccupancyGrid& message) {
@@ -42,20 +42,51 @@ std::string MapInUse::take(const nav_msgs::OccupancyGrid& message) {
     return "The map is refused: how much floor the robot needs is not known; set ~robot_config or "
            "~footprint_radius_m.";
   }
-  std::string problem;
-  const std::optional<Pose2> frame_from_map = fromPoseMsg(message.info.origin, problem);
-  if (!frame_from_map) return "The map is refused: of its origin, " + problem + ".";
-  try {
-    auto obstacles = std::make_shared<const Obstacles>(fromMsg(message, *frame_from_map),
-                                                       *footprint_, options_.obstacles);
-    const std::lock_guard<std::mutex> lock(mutex_);
-    frame_ = message.header.frame_id;
-    frame_from_map_ = *frame_from_map;
-    obstacles_ = std::move(obstacles);
-  } catch (const std::exception& error) {
-    return std::string("The map is refused: ") + error.what();
-  }
+  PublishedMap map;
+  std::string problem = readMap(message, map);
+  if (!problem.empty()) return problem;
+  const std::lock_guard<std::mutex> lock(taking_mutex_);
+  taken_ = std::move(map);
+  is_news_ = true;
+  changed_.notify_all();
   return "";
+}
+
+std::string MapInUse::take(const map_msgs::OccupancyGridUpdate& message) {
+  const std::lock_guard<std::mutex> lock(taking_mutex_);
+  if (!taken_) return "An update of the map is refused: no map has come before it.";
+  MapUpdate update = applyUpdate(message, *taken_);
+  if (update.changes) {
+    is_news_ = true;
+    changed_.notify_all();
+  }
+  return std::move(update.problem);
+}
+
+void MapInUse::settle() const {
+  std::unique_lock<std::mutex> lock(taking_mutex_);
+  changed_.wait(lock, [this] { return !is_news_ && !busy_; });
+}
+
+void MapInUse::work() {
+  for (;;) {
+    PublishedMap map;
+    {
+      std::unique_lock<std::mutex> lock(taking_mutex_);
+      busy_ = false;
+      changed_.notify_all();
+      changed_.wait(lock, [this] { return is_news_ || leaves_; });
+      if (leaves_) return;
+      map = *taken_;
+      is_news_ = false;
+      busy_ = true;
+    }
+    auto obstacles = std::make_shared<const Obstacles>(map.cells, *footprint_, options_.obstacles);
+    const std::lock_guard<std::mutex> lock(mutex_);
+    frame_ = map.frame;
+    frame_from_map_ = map.cells.world_from_map;
+    obstacles_ = std::move(obstacles);
+  }
 }
 
 /// The last known transform stays in use while tf has none.

@@ -11,6 +11,9 @@ namespace {
 
 constexpr char kBeliefTopic[] = "body_belief";
 constexpr char kMapTopic[] = "map";
+constexpr char kUpdateTopic[] = "map_updates";
+// None may be missed; they are taken faster than they come.
+constexpr std::uint32_t kUpdateQueue = 50;
 constexpr double kPoll_s = 0.02;
 constexpr std::int64_t kClockWarnPeriod_ns = 2 * kSecond_ns;
 // Answers on their way to clients.
@@ -66,12 +69,23 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
   ros::NodeHandle map_node(node);
   map_node.setCallbackQueue(&map_queue_);
   map_subscriber_ = map_node.subscribe(kMapTopic, 1, &PlannerNode::receiveMap, this);
+  update_subscriber_ =
+      map_node.subscribe(kUpdateTopic, kUpdateQueue, &PlannerNode::receiveUpdate, this);
   map_spinner_.start();
 }
 
 void PlannerNode::receiveMap(const nav_msgs::OccupancyGrid::ConstPtr& map) {
-  const std::string problem = map_.take(*map);
-  if (!problem.empty()) ROS_ERROR_STREAM(problem);
+  tellOfMap(map_.take(*map));
+}
+
+void PlannerNode::receiveUpdate(const map_msgs::OccupancyGridUpdate::ConstPtr& update) {
+  tellOfMap(map_.take(*update));
+}
+
+/// Once, however often the same thing is wrong.
+void PlannerNode::tellOfMap(const std::string& problem) {
+  if (!problem.empty() && problem != map_problem_) ROS_ERROR_STREAM(problem);
+  map_problem_ = problem;
 }
 
 PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {

@@ -52,6 +52,8 @@ class PlannerNode {
   bool onResetBelief(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   void receive(const ros::MessageEvent<Repertoire const>& event);
   void receiveMap(const nav_msgs::OccupancyGrid::ConstPtr& map);
+  void receiveUpdate(const map_msgs::OccupancyGridUpdate::ConstPtr& update);
+  void tellOfMap(const std::string& problem);
   void answerAll(End end);
   void watchClock();
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
@@ -79,7 +81,9 @@ class PlannerNode {
   ros::ServiceServer reset_belief_service_;
   ros::CallbackQueue map_queue_;  // a large map takes a while
   ros::Subscriber map_subscriber_;
+  ros::Subscriber update_subscriber_;
   ros::AsyncSpinner map_spinner_;
+  std::string map_problem_;  // told last; thread of map_spinner_
   std::int64_t next_clock_warning_ns_;
   diagnostic_updater::Updater updater_;
 };

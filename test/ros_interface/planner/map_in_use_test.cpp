@@ -32,6 +32,11 @@ class MapInUseTest : public testing::Test {
     buffer_.setTransform(transform, "test");
   }
 
+  std::shared_ptr<const Obstacles> settled() {
+    map_.settle();
+    return map_.obstacles();
+  }
+
   PlannerNodeOptions options_;
   tf2::BufferCore buffer_;
   MapInUse map_{options_, buffer_, Footprint{{{0.0, 0.0, 0.2}}}};
@@ -42,7 +47,7 @@ TEST_F(MapInUseTest, ThereIsNoneUntilOneCame) { EXPECT_EQ(map_.obstacles(), null
 TEST_F(MapInUseTest, StandsWhereItsOriginSaysTurnedAsThatIs) {
   // A quarter turn to the left: occupied is what lies beyond y = 3 m.
   EXPECT_EQ(map_.take(halfOccupied({5.0, 3.0, M_PI / 2.0}, "odom")), "");
-  const auto obstacles = map_.obstacles();
+  const auto obstacles = settled();
   ASSERT_TRUE(obstacles);
   EXPECT_TRUE(obstacles->isFree({5.0, 2.7, 0.0}));
   EXPECT_FALSE(obstacles->isFree({5.0, 2.8, 0.0}));
@@ -52,7 +57,7 @@ TEST_F(MapInUseTest, StandsWhereItsOriginSaysTurnedAsThatIs) {
 TEST_F(MapInUseTest, FollowsItsFrameInTheGlobalOne) {
   place(10.0, 1.0);
   EXPECT_EQ(map_.take(halfOccupied({0.0, 0.0, 0.0}, "map")), "");
-  const auto before = map_.obstacles();
+  const auto before = settled();
   ASSERT_TRUE(before);
   EXPECT_TRUE(before->isFree({9.5, 0.0, 0.0}));
   EXPECT_FALSE(before->isFree({10.0, 0.0, 0.0}));
@@ -62,14 +67,47 @@ TEST_F(MapInUseTest, FollowsItsFrameInTheGlobalOne) {
 
 TEST_F(MapInUseTest, RefusesWhatIsNoMapAndKeepsTheOneItHas) {
   EXPECT_EQ(map_.take(halfOccupied({}, "odom")), "");
-  const auto kept = map_.obstacles();
+  const auto kept = settled();
   nav_msgs::OccupancyGrid bad = halfOccupied({}, "odom");
   bad.data.pop_back();
   EXPECT_NE(map_.take(bad).find("399 values"), std::string::npos);
   bad = halfOccupied({}, "odom");
   bad.info.origin.orientation.w = 0.0;
   EXPECT_NE(map_.take(bad).find("origin"), std::string::npos);
-  EXPECT_EQ(map_.obstacles(), kept);
+  EXPECT_EQ(settled(), kept);
+}
+
+TEST_F(MapInUseTest, IsBroughtUpToDateInPart) {
+  map_msgs::OccupancyGridUpdate update;
+  update.header.frame_id = "odom";
+  update.x = 10;
+  update.width = 10;
+  update.height = 20;
+  update.data.assign(200, 0);
+  EXPECT_NE(map_.take(update).find("no map has come"), std::string::npos);
+  EXPECT_EQ(map_.take(halfOccupied({}, "odom")), "");
+  EXPECT_FALSE(settled()->isFree({0.5, 0.0, 0.0}));
+  EXPECT_EQ(map_.take(update), "");
+  const auto freed = settled();
+  EXPECT_TRUE(freed->isFree({0.5, 0.0, 0.0}));
+  EXPECT_EQ(map_.take(update), "");
+  EXPECT_EQ(settled(), freed) << "another object although nothing has changed";
+}
+
+TEST_F(MapInUseTest, ANewMapOfAnotherResolutionReplacesAllOfTheOneBefore) {
+  EXPECT_EQ(map_.take(halfOccupied({}, "odom")), "");
+  nav_msgs::OccupancyGrid coarse = halfOccupied({}, "odom");
+  coarse.info.resolution = 1.0f;
+  coarse.info.width = coarse.info.height = 2;
+  coarse.data = {100, 0, 100, 0};
+  EXPECT_EQ(map_.take(coarse), "");
+  EXPECT_TRUE(settled()->isFree({0.5, 0.0, 0.0}));
+  EXPECT_FALSE(settled()->isFree({-0.5, 0.0, 0.0}));
+  map_msgs::OccupancyGridUpdate fine;
+  fine.header.frame_id = "odom";
+  fine.width = fine.height = 20;
+  fine.data.assign(400, 100);
+  EXPECT_NE(map_.take(fine).find("not within the map of 2 x 2"), std::string::npos);
 }
 
 TEST_F(MapInUseTest, NeedsToKnowTheRobot) {
@@ -80,6 +118,7 @@ TEST_F(MapInUseTest, NeedsToKnowTheRobot) {
   options.footprint_radius_m = 0.3;
   MapInUse told(options, buffer_, std::nullopt);
   EXPECT_EQ(told.take(halfOccupied({}, "odom")), "");
+  told.settle();
   EXPECT_FALSE(told.obstacles()->isFree({-0.3, 0.0, 0.0}));
   EXPECT_TRUE(told.obstacles()->isFree({-0.36, 0.0, 0.0}));
 }
