@@ -22,9 +22,11 @@ int execute() {
   const std::string problem = options.realtime ? lockMemory() : "";
   if (!problem.empty()) ROS_WARN_STREAM(problem);
   const ExecutorNode::End end = executor.run(leaveFlag());
-  if (end == ExecutorNode::End::kAskedToLeave) return 0;
-  ROS_FATAL("The ROS master is gone or was replaced; the executor leaves and must be restarted.");
-  return kMasterLostExitCode;
+  const bool master_lost = end == ExecutorNode::End::kMasterLost;
+  if (master_lost) {
+    ROS_FATAL("The ROS master is gone or was replaced; the executor leaves and must be restarted.");
+  }
+  return leaveInTime(master_lost ? kMasterLostExitCode : 0);
 }
 
 std::string optionTable() {

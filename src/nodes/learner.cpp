@@ -17,7 +17,7 @@ int learn() {
   LearnerNode learner(node, private_node, options);
   ros::AsyncSpinner spinner(1);
   spinner.start();
-  return learner.run();
+  return leaveInTime(learner.run());
 }
 
 std::string optionTable() {
@@ -29,5 +29,5 @@ std::string optionTable() {
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  return hexapod::runNode(argc, argv, {"learner", hexapod::learn, hexapod::optionTable});
+  return hexapod::runNode(argc, argv, {"learner", hexapod::learn, hexapod::optionTable, true});
 }

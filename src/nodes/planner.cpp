@@ -11,7 +11,6 @@ namespace {
 
 // Not 0, so that roslaunch or a supervisor knows to restart it.
 constexpr int kMasterLostExitCode = 3;
-constexpr std::chrono::milliseconds kPatience{1500};
 
 int plan() {
   ros::NodeHandle node;
@@ -27,9 +26,7 @@ int plan() {
   if (master_lost) {
     ROS_FATAL("The ROS master is gone or was replaced; the planner leaves and must be restarted.");
   }
-  const int code = master_lost ? kMasterLostExitCode : 0;
-  leaveWithin(kPatience, code);
-  return code;
+  return leaveInTime(master_lost ? kMasterLostExitCode : 0);
 }
 
 std::string optionTable() {

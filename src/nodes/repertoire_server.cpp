@@ -30,7 +30,7 @@ int serve() {
   ros::AsyncSpinner spinner(1);
   spinner.start();
   waitUntilAskedToLeave();
-  return 0;
+  return leaveInTime(0);
 }
 
 std::string optionTable() {

@@ -18,7 +18,7 @@ int simulate() {
   SimulatedRobotNode robot(node, private_node, options,
                            robotFromParams(node, options.robot_config));
   robot.run(leaveFlag());
-  return 0;
+  return leaveInTime(0);
 }
 
 std::string optionTable() {

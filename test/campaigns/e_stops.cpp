@@ -41,12 +41,15 @@ int runCampaign(int stops, double speed, std::uint64_t seed) {
   std::printf(
       "\nSimulated time at %.1f times real time on the wire. The driver stalls for 20 to 60 ms of "
       "real time in every\ncallback, queue size 1. A stop begins when it is published on e_stop "
-      "or, "
-      "every other time, when ~stop has\nanswered; later than a period after the %d stops the "
-      "driver "
-      "obeyed %d set-points that its own queue still held,\nat most %d after one stop.\n",
-      speed, stops, wire.oldSetPointsObeyedAfterStops(), wire.mostAfterOneStop());
-  // One that waited in the driver's queue, one that was on its way.
+      "or, every other time, when ~stop has\nanswered. A set-point is old when it is stamped no "
+      "later than a period after the stop; what the driver does with\none before it is armed again "
+      "is its own: later than a period after the %d stops it obeyed %d that its queue still\nheld "
+      "or that were on their way, more than one after %d stops, at most %d.\nArming did not end in "
+      "READY %d times and was repeated.\n",
+      speed, stops, wire.oldSetPointsObeyedAfterStops(), wire.stopsWithMoreThanOne(),
+      wire.mostAfterOneStop(), wire.armedAgain());
+  // One that waited in the driver's queue; and one sent within the period after the stop that came
+  // just when the driver had taken the first.
   good = good && wire.mostAfterOneStop() <= 2;
   std::printf("\n%s\n", good ? "All promises held." : "Not all promises held.");
   return good ? 0 : 1;

@@ -93,6 +93,8 @@ class OnTheWire {
 
   int oldSetPointsObeyedAfterStops() const { return obeyed_after_stop_; }
   int mostAfterOneStop() const { return most_after_one_stop_; }
+  int stopsWithMoreThanOne() const { return more_than_one_; }
+  int armedAgain() const { return armed_again_; }
 
  private:
   using Command = sensor_msgs::JointState::ConstPtr;
@@ -144,24 +146,29 @@ class OnTheWire {
     const std::lock_guard<std::mutex> lock(mutex_);
     const double obeyed_s = command->velocity.at(0);  // when the driver did, steady time
     if (stopped_ && obeyed_s > taken_s_ + period_s_) ++obeyed_this_stop_;
-    if (toNs(command->header.stamp) < armed_ns_ && obeyed_s > armed_s_) ++old_after_arm_;
+    // Nothing is sent between a period after the stop and the next arming.
+    const bool old = toNs(command->header.stamp) <= taken_ns_ + kPeriod_ns;
+    if (!stopped_ && old && obeyed_s > armed_s_) ++old_after_arm_;
   }
 
+  // Until it stands; where feedback comes too late for that, more than once.
   void arm() {
-    while (true) {
+    using State = hexapod_repertoire::ExecutorState;
+    while (state_ != State::READY) {
       {
         const std::lock_guard<std::mutex> lock(mutex_);
-        armed_ns_ = now_ns_;
         armed_s_ = steadyNow_s();
         stopped_ = false;
         first_after_arm_ = true;
       }
       std_srvs::Trigger trigger;
-      const bool answered = ros::service::call("/executor/arm", trigger);
-      if (answered && trigger.response.success) break;
+      ros::service::call("/executor/arm", trigger);
+      const std::int64_t deadline_ns = now_ns_ + 3'000'000'000;
+      while (state_ != State::READY && state_ != State::FAULT && now_ns_ < deadline_ns) usleep(500);
+      if (state_ == State::READY) break;
+      ++armed_again_;
       usleep(20'000);
     }
-    waitFor(hexapod_repertoire::ExecutorState::READY);
   }
 
   void walk() {
@@ -203,6 +210,7 @@ class OnTheWire {
     latest_ns_ = std::max(latest_ns_, last_stamp_ns_ - taken_ns_);
     if (last_stamp_ns_ > taken_ns_ + kPeriod_ns) ++tally_.late;
     obeyed_after_stop_ += obeyed_this_stop_;
+    if (obeyed_this_stop_ > 1) ++more_than_one_;
     most_after_one_stop_ = std::max(most_after_one_stop_, obeyed_this_stop_);
   }
 
@@ -229,11 +237,12 @@ class OnTheWire {
   std::vector<double> pose_;
   bool stopped_ = true;
   bool first_after_arm_ = false;
-  std::int64_t taken_ns_ = 0, armed_ns_ = 0, last_stamp_ns_ = 0, latest_ns_ = 0;
+  std::int64_t taken_ns_ = 0, last_stamp_ns_ = 0, latest_ns_ = 0;
   double taken_s_ = 0, armed_s_ = 0;  // steady time
   double period_s_ = 1e-9 * kPeriod_ns / speed_;
   int old_after_arm_ = 0;
-  int obeyed_this_stop_ = 0, obeyed_after_stop_ = 0, most_after_one_stop_ = 0;
+  int armed_again_ = 0;  // armings that did not end in READY
+  int obeyed_this_stop_ = 0, obeyed_after_stop_ = 0, most_after_one_stop_ = 0, more_than_one_ = 0;
   Tally tally_;
 };
 

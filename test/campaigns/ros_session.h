@@ -3,7 +3,6 @@
 #include <arpa/inet.h>
 #include <fcntl.h>
 #include <ros/callback_queue.h>
-#include <ros/poll_manager.h>
 #include <ros/ros.h>
 #include <sched.h>
 #include <signal.h>
@@ -28,11 +27,7 @@ namespace hexapod {
 /// priority where there is one: a witness is not to be what is late.
 inline void beOnTime() {
   askForRealtimePriority(RealtimePriority::kTransport);
-  ros::PollManager::instance()->addPollThreadListener([] {
-    thread_local bool asked = false;
-    if (!asked) askForRealtimePriority(RealtimePriority::kTransport);
-    asked = true;
-  });
+  raiseTransportPriority();
 }
 
 /// A child process; ends with this object, and with this process.

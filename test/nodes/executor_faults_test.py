@@ -9,9 +9,7 @@ import random
 import signal
 import sys
 import unittest
-import xmlrpc.client
 
-import rosgraph
 import rospy
 import rostest
 from diagnostic_msgs.msg import DiagnosticArray, DiagnosticStatus
@@ -79,10 +77,6 @@ class ExecutorFaults(unittest.TestCase):
         self.session.make_ready()
         self.session.commands.clear()
 
-    def executor_pid(self):
-        node_api = rosgraph.Master(rospy.get_name()).lookupNode("/executor")
-        return xmlrpc.client.ServerProxy(node_api).getPid(rospy.get_name())[2]
-
     def test_feedback_in_any_order_and_with_other_joints_is_used(self):
         self.robot.spoil = shuffled
         handle = self.session.send(rs.TURN)
@@ -115,7 +109,7 @@ class ExecutorFaults(unittest.TestCase):
     def test_a_stopped_process_skips_and_does_not_burst(self):
         handle = self.session.send(rs.TURN)
         rs.wait_for(lambda: self.session.commands.count() > 20, 5.0, "20 commands")
-        pid = self.executor_pid()
+        pid = rs.pid_of("/executor")
         os.kill(pid, signal.SIGSTOP)
         try:
             stopped_ns = rospy.Time.now().to_nsec()

@@ -5,8 +5,10 @@ import subprocess
 import sys
 import threading
 import time
+import xmlrpc.client
 
 import actionlib
+import rosgraph
 import rospy
 from hexapod_repertoire.msg import (ExecuteBehaviorAction, ExecuteBehaviorGoal,
                                     ExecuteBehaviorResult, ExecutorState)
@@ -30,6 +32,12 @@ def wait_for(condition, timeout_s, what):
             return value
         time.sleep(0.005)
     raise AssertionError("Waited %g s in vain for %s." % (timeout_s, what))
+
+
+def pid_of(node):
+    """The process id of a node."""
+    uri = rosgraph.Master(rospy.get_name()).lookupNode(node)
+    return xmlrpc.client.ServerProxy(uri).getPid(rospy.get_name())[2]
 
 
 class Recorder:

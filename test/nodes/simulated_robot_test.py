@@ -2,6 +2,7 @@
 """The simulated robot, seen from its topics."""
 import math
 import os
+import signal
 import sys
 import unittest
 
@@ -53,7 +54,7 @@ class SimulatedRobot(unittest.TestCase):
         rs.wait_for(lambda: abs(self.angles()[joint] - angle_rad) < 0.02, 5.0,
                     "%s at %g rad" % (joint, angle_rad))
 
-    def ignored(self):
+    def report(self):
         for array in reversed(self.diagnostics.all()):
             for status in array.status:
                 if "simulation" in status.name:
@@ -106,13 +107,13 @@ class SimulatedRobot(unittest.TestCase):
         self.assertLessEqual(rs.stamp_ns(moving), stamp.to_nsec() + rs.LATENCY_NS + 30_000_000)
 
     def test_physics_never_sees_what_is_no_command(self):
-        before = int(rs.wait_for(self.ignored, 10.0, "diagnostics")["Commands ignored"])
+        before = int(rs.wait_for(self.report, 10.0, "diagnostics")["Commands ignored"])
         bad = [[math.nan] + [0.5] * 17, [math.inf] * 18, [9.0] * 18, [0.5] * 17]
         for positions in bad:
             self.command(positions)
         self.command([0.5] * 18, names=JOINTS[:17] + ["tail"])
         self.command([0.5] * 18, names=JOINTS[:17] + JOINTS[:1])
-        rs.wait_for(lambda: int(self.ignored()["Commands ignored"]) == before + 6, 10.0,
+        rs.wait_for(lambda: int(self.report()["Commands ignored"]) == before + 6, 10.0,
                     "six more commands ignored")
         self.assertLess(max(map(abs, self.joints.next().position)), 0.05)
 
@@ -127,6 +128,24 @@ class SimulatedRobot(unittest.TestCase):
         self.assertGreater(rs.stamp_ns(self.joints.last()), before)
         stamps = [rs.stamp_ns(m) for m in self.odometry.all()]
         self.assertEqual(stamps, sorted(set(stamps)))
+
+    def test_what_it_reports_is_never_old_also_after_its_process_was_stopped(self):
+        pid = rs.pid_of("/simulated_robot")
+        self.odometry.clear()
+        self.odometry.next()
+        os.kill(pid, signal.SIGSTOP)
+        try:
+            stopped_ns = rospy.Time.now().to_nsec()
+            rs.wait_for(lambda: rospy.Time.now().to_nsec() > stopped_ns + 10**9, 5.0, "a second")
+        finally:
+            os.kill(pid, signal.SIGCONT)
+        rs.wait_for(lambda: self.odometry.count() > 60, 10.0, "60 steps")
+        stamps = [rs.stamp_ns(m) for m in self.odometry.all()]
+        gaps = [b - a for a, b in zip(stamps, stamps[1:])]
+        self.assertGreaterEqual(max(gaps), 500_000_000)
+        self.assertEqual({gap % 15_000_000 for gap in gaps}, {0})
+        rs.wait_for(lambda: float(self.report()["Stood still because too late [s]"]) > 0.5, 10.0,
+                    "diagnostics that say so")
 
     def test_pause_holds_the_robot_while_time_goes_on(self):
         pause = rospy.ServiceProxy("simulated_robot/pause", SetBool)

@@ -144,6 +144,10 @@ class WalkingSession:
     def is_running(self, name):
         return self._processes[name].poll() is None
 
+    def knows(self, name):
+        """True when the master knows a node."""
+        return xmlrpc.client.ServerProxy(self.uri).lookupNode("/test", f"/{name}")[0] == 1
+
     def process(self, name):
         return self._processes[name]
 

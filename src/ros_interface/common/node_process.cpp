@@ -18,6 +18,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr int kPollsPerWarning = 60;
+constexpr std::chrono::milliseconds kLongestEnd{2000};
+constexpr std::chrono::milliseconds kLeavingPatience{1500};
 
 std::atomic<bool> leave{false};
 
@@ -36,6 +38,15 @@ bool awaitMaster() {
   return false;
 }
 
+// Ends the process in time after a signal, whatever its other threads wait for.
+void watchSignals() {
+  std::thread([] {
+    while (!leave) std::this_thread::sleep_for(kPoll);
+    std::this_thread::sleep_for(kLongestEnd);
+    std::_Exit(0);
+  }).detach();
+}
+
 void explain(const std::exception& error) {
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) ROS_FATAL_STREAM(line);
@@ -51,6 +62,7 @@ int runNode(int argc, char** argv, const NodeMain& node) {
   ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
   if (!awaitMaster()) return 0;
+  if (!node.saves) watchSignals();
   // Started here, ROS and its console outlive the body's node handles.
   ros::start();
   try {
@@ -72,11 +84,12 @@ void waitUntilAskedToLeave() {
   while (!askedToLeave()) std::this_thread::sleep_for(kPoll);
 }
 
-void leaveWithin(std::chrono::milliseconds longest, int code) {
-  std::thread([longest, code] {
-    std::this_thread::sleep_for(longest);
+int leaveInTime(int code) {
+  std::thread([code] {
+    std::this_thread::sleep_for(kLeavingPatience);
     std::_Exit(code);
   }).detach();
+  return code;
 }
 
 }  // namespace hexapod

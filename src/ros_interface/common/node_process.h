@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <chrono>
 #include <string>
 
 namespace hexapod {
@@ -11,12 +10,14 @@ struct NodeMain {
   const char* name;          ///< default node name
   int (*body)();             ///< returns the exit code; ROS is started, and there is a master
   std::string (*options)();  ///< its options as a table, for --help
+  bool saves = false;        ///< has work to save when asked to leave, however long that takes
 };
 
 /// The main() of every node. With --help prints the options. Otherwise waits for a ROS master
 /// (naming it every few seconds), starts ROS, runs the body. What the body throws becomes one FATAL
 /// line per sentence and an exit code: 2 for std::invalid_argument (wrong options), else 1.
-/// SIGINT, SIGTERM and SIGHUP only set leaveFlag(): a body ends in order.
+/// SIGINT, SIGTERM and SIGHUP only set leaveFlag(): a body ends in order. Unless it saves it has
+/// 2 s for that, whatever hangs: a master, also in the midst of its start, or a callback.
 int runNode(int argc, char** argv, const NodeMain& node);
 
 /// True once a signal asked the process to leave.
@@ -28,8 +29,8 @@ bool askedToLeave();
 /// Returns when askedToLeave().
 void waitUntilAskedToLeave();
 
-/// From now on the process ends with `code` after `longest`, steady time, if it has not by then: a
-/// master that hangs, or a callback that waits, keeps nobody from leaving.
-void leaveWithin(std::chrono::milliseconds longest, int code);
+/// Returns `code`, and ends the process with it after 1.5 s if it has not ended by then. For a body
+/// whose work is done.
+int leaveInTime(int code);
 
 }  // namespace hexapod

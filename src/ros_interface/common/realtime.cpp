@@ -1,6 +1,7 @@
 #include "ros_interface/common/realtime.h"
 
 #include <pthread.h>
+#include <ros/poll_manager.h>
 #include <sched.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
@@ -45,6 +46,15 @@ int askForRealtimePriority(int priority) {
   rlimit limit{};
   if (getrlimit(RLIMIT_RTPRIO, &limit) != 0 || limit.rlim_cur < 1) return refusal;
   return setFifo(std::min(priority, static_cast<int>(limit.rlim_cur)));
+}
+
+// roscpp calls the listener in the thread that writes the sockets, at least every 100 ms.
+void raiseTransportPriority() {
+  ros::PollManager::instance()->addPollThreadListener([] {
+    thread_local bool asked = false;
+    if (!asked) askForRealtimePriority(RealtimePriority::kTransport);
+    asked = true;
+  });
 }
 
 std::string lockMemory() {

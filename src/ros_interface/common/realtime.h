@@ -10,11 +10,15 @@ struct RealtimePriority {
   static constexpr int kLoop = 40;       ///< decides what is sent
   static constexpr int kSending = 39;    ///< serialises it
   static constexpr int kTransport = 38;  ///< writes it to the sockets
+  static constexpr int kRobot = 37;      ///< a simulated robot, which obeys it
 };
 
 /// Asks for SCHED_FIFO at `priority`, or as near to it as RLIMIT_RTPRIO allows, for the calling
 /// thread. Returns 0, or the errno of the refusal; the thread then goes on as it was.
 int askForRealtimePriority(int priority);
+
+/// Asks for RealtimePriority::kTransport for roscpp's own thread, which reads and writes the sockets.
+void raiseTransportPriority();
 
 /// Keeps all pages of the process in memory, now and later: a page fault makes a command late.
 /// Returns "", or a sentence why the system does not allow it. Without the right to lock without

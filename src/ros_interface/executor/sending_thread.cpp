@@ -1,24 +1,9 @@
 #include "ros_interface/executor/sending_thread.h"
 
-#include <ros/poll_manager.h>
-
 #include "ros_interface/common/clock.h"
 #include "ros_interface/common/realtime.h"
 
 namespace hexapod {
-namespace {
-
-// roscpp calls the listener in the thread that writes the sockets, at least every 100 ms.
-void raiseTransportPriority() {
-  ros::PollManager::instance()->addPollThreadListener([] {
-    thread_local bool asked = false;
-    if (!asked) askForRealtimePriority(RealtimePriority::kTransport);
-    asked = true;
-  });
-}
-
-}  // namespace
-
 SendingThread::SendingThread(SharedExecutor& executor, CommandSender& sender, bool realtime)
     : executor_(executor), sender_(sender), realtime_(realtime), thread_([this] { run(); }) {}
 

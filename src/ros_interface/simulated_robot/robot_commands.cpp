@@ -2,8 +2,8 @@
 
 #include <ros/console.h>
 
+#include "ros_interface/common/clock.h"
 #include "ros_interface/common/names.h"
-#include "ros_interface/common/realtime_loop.h"
 
 namespace hexapod {
 namespace {

@@ -10,8 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ros_interface/common/clock.h"
 #include "ros_interface/common/names.h"
-#include "ros_interface/common/realtime_loop.h"
+#include "ros_interface/common/realtime.h"
 
 namespace hexapod {
 namespace {
@@ -22,8 +23,10 @@ constexpr std::int64_t kLongestWait_ns = 50 * kMs;
 // After a stall, commands that lie in the sockets are read before the missed steps are taken.
 constexpr std::int64_t kStall_ns = 30 * kMs;
 constexpr std::int64_t kReadAfterStall_ns = 5 * kMs;
-// Stopped for longer than this, the world has stood still instead.
-constexpr std::int64_t kLongestCatchUp_ns = 10'000 * kMs;
+// Later than this, the world has stood still instead: an executor takes joint states that are half
+// a second old for those of a robot that is gone.
+constexpr std::int64_t kLongestCatchUp_ns = 300 * kMs;
+constexpr double kWarningPeriod_s = 10.0;
 constexpr std::int64_t kCommandPatience_ns = 500 * kMs;
 
 Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& robot) {
@@ -61,10 +64,15 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
 }
 
 void SimulatedRobotNode::run(const std::atomic<bool>& leave) {
+  if (options_.realtime && options_.real_time_factor == 1.0) {
+    askForRealtimePriority(RealtimePriority::kRobot);
+    raiseTransportPriority();
+  }
   while (!leave && ros::ok()) {
     updater_.update();
     const std::int64_t wait_ns = nextDeadline_ns() - steadyNow_ns();
     if (wait_ns > 0) {
+      catching_up_ = false;
       waitAndServe(wait_ns);
       continue;
     }
@@ -97,19 +105,29 @@ void SimulatedRobotNode::awaitCommand() {
 
 void SimulatedRobotNode::catchUpIfStalled(std::int64_t late_ns) {
   if (options_.real_time_factor == 0.0 || late_ns < kStall_ns) return;
-  sleepUntilSteady(steadyNow_ns() + kReadAfterStall_ns);
-  waitAndServe(0);
+  if (!catching_up_) {
+    sleepUntilSteady(steadyNow_ns() + kReadAfterStall_ns);
+    waitAndServe(0);
+  }
+  catching_up_ = true;
   if (options_.publish_clock) {
     // Time is ours: it stood still, for everybody, as long as we did.
     steady_start_ns_ += late_ns;
     return;
   }
-  if (late_ns < kLongestCatchUp_ns) return;
-  ROS_WARN_STREAM("The simulated robot stood still for " << 1e-9 * static_cast<double>(late_ns)
-                                                         << " s; its process was stopped.");
+  if (late_ns >= kLongestCatchUp_ns) standStill(late_ns);
+}
+
+// Time goes on without the world.
+void SimulatedRobotNode::standStill(std::int64_t late_ns) {
   const std::int64_t steps = late_ns / step_ns_;
   steps_ += steps;
   time_ns_ += steps * step_ns_;
+  stood_still_ns_ += steps * step_ns_;
+  ROS_WARN_STREAM_THROTTLE(kWarningPeriod_s,
+                           "The simulated robot stood still for "
+                               << 1e-9 * static_cast<double>(late_ns)
+                               << " s: its process was stopped, or the machine is too busy.");
 }
 
 void SimulatedRobotNode::step() {
@@ -218,6 +236,7 @@ void SimulatedRobotNode::report(diagnostic_updater::DiagnosticStatusWrapper& dia
   diagnostics.add("Commands lost on purpose", counts.lost);
   diagnostics.add("Disturbance", describe(disturbance_, robot_));
   diagnostics.add("Falls and other failures", falls_);
+  diagnostics.add("Stood still because too late [s]", 1e-9 * static_cast<double>(stood_still_ns_));
 }
 
 }  // namespace hexapod

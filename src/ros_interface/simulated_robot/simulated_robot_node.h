@@ -21,9 +21,10 @@ namespace hexapod {
 /// A World that runs in real time, or as fast as asked, behind the topics of a robot.
 ///
 /// Its time is start + n * step in integer nanoseconds, on the axis of ROS wall time; it never goes
-/// back, not on reset either. Every step is taken, also when the process was stalled: it then
-/// catches up. As fast as it can (factor 0) still waits for each command of a live stream, so that
-/// none comes late. ~disturb breaks it, weakens it or changes its floor from one step to the next;
+/// back, not on reset either. After a short stall of the process the steps that were missed are
+/// taken at once; when that cannot make up for it the world has stood still instead, so that what
+/// it reports is never old. As fast as it can (factor 0) still waits for each command of a live
+/// stream, so that none comes late. ~disturb breaks it, weakens it or changes its floor from one step to the next;
 /// ~reset puts it back on its feet as it was started. Everything happens in the thread of run().
 class SimulatedRobotNode {
  public:
@@ -39,6 +40,7 @@ class SimulatedRobotNode {
   std::int64_t nextDeadline_ns() const;
   void awaitCommand();
   void catchUpIfStalled(std::int64_t late_ns);
+  void standStill(std::int64_t late_ns);
   void step();
   void command(std::vector<double> targets_rad);
   void noteVerdict(Verdict verdict);
@@ -61,8 +63,10 @@ class SimulatedRobotNode {
   std::int64_t steady_start_ns_;  // when time_ns_ of step 0 was due
   std::int64_t steps_ = 0;        // since steady_start_ns_
   bool paused_ = false;
+  bool catching_up_ = false;
   Verdict verdict_ = Verdict::kWalked;
   std::uint64_t falls_ = 0;
+  std::int64_t stood_still_ns_ = 0;  // altogether, because the process was too late
   RobotCommands commands_;
   RepertoireCheck repertoire_check_;
   RobotPublisher publisher_;

@@ -20,6 +20,9 @@ std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
       option("command_latency_s", options.command_latency_s, "s",
              "A command acts this long after its stamp, which hides the jitter of its way.", 0.0,
              1.0),
+      option("realtime", options.realtime,
+             "Ask for a real-time priority, and go on without: a robot does not wait for other "
+             "programs. At real_time_factor 1 only."),
       option("step_s", physics.step_s, "s", "Step of the integrator.", 1e-4, 0.1),
       option("gravity_m_per_s2", physics.gravity_m_per_s2, "m/s^2", "Gravity.", 0.0, 100.0),
       option("friction_scale", physics.friction_scale, "", "Times the description's friction.", 0.0,

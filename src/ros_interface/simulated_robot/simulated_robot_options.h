@@ -15,6 +15,7 @@ struct SimulatedRobotOptions {
   double real_time_factor = 1.0;  ///< 0: as fast as it can
   bool publish_clock = false;
   double command_latency_s = 0.060;
+  bool realtime = true;
   std::string disturb_legs;  ///< as legStatesFromText()
   Disturbance disturbance;   ///< from the start
 };
