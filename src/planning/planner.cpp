@@ -148,17 +148,24 @@ double Planner::turn_rad() const {
   return turn_rad;
 }
 
-std::optional<PlannedStep> Planner::nearestStep(const Pose2& start_from_end) const {
+double behaviorGap_m(const Pose2& a, const Pose2& b) {
   constexpr double kMetresPerRadian = 0.3;
-  const auto gap_m = [&](const Move& move) {
-    return distance(move.end, start_from_end) +
-           kMetresPerRadian * headingDistance(move.end, start_from_end);
-  };
-  const auto nearest =
-      std::min_element(tables_.moves.begin(), tables_.moves.end(),
-                       [&](const Move& a, const Move& b) { return gap_m(a) < gap_m(b); });
+  return distance(a, b) + kMetresPerRadian * headingDistance(a, b);
+}
+
+std::optional<PlannedStep> Planner::nearestStep(const Pose2& start_from_end) const {
+  const auto nearest = std::min_element(
+      tables_.moves.begin(), tables_.moves.end(), [&](const Move& a, const Move& b) {
+        return behaviorGap_m(a.end, start_from_end) < behaviorGap_m(b.end, start_from_end);
+      });
   if (nearest == tables_.moves.end()) return std::nullopt;
   return PlannedStep{nearest->entry, ids_[nearest->entry], nearest->end};
+}
+
+bool Planner::isFree(const Obstacles& obstacles, const Pose2& world_from_start,
+                     std::size_t entry) const {
+  return obstacles.isFree(world_from_start, tables_.moves.at(move_of_.at(entry)).path,
+                          std::min(0.0, obstacles.clearance_m(world_from_start)));
 }
 
 void Planner::search(const PlanRequest& request, PlanResult& result) const {

@@ -41,6 +41,10 @@ class Planner {
   double clearance_m(const Obstacles& obstacles, const Pose2& world_from_start,
                      std::size_t entry) const;
 
+  /// Whether that behaviour surely touches nothing; where the start is within the margin, whether
+  /// it comes no nearer.
+  bool isFree(const Obstacles& obstacles, const Pose2& world_from_start, std::size_t entry) const;
+
   /// Entries that take part in planning: how many, and their indices.
   /// @{
   std::size_t usableEntries() const { return tables_.moves.size(); }
@@ -54,8 +58,8 @@ class Planner {
   double turn_rad() const;
   /// @}
 
-  /// The one that leads nearest to `start_from_end`, a radian counting as 0.3 m; its end in the
-  /// frame of the start. Nothing when there is none.
+  /// The one that leads nearest to `start_from_end` by behaviorGap_m(); its end in the frame of the
+  /// start. Nothing when there is none.
   std::optional<PlannedStep> nearestStep(const Pose2& start_from_end) const;
 
  private:
@@ -75,5 +79,8 @@ class Planner {
   std::vector<std::int64_t> ids_;     ///< per entry of the repertoire
   std::vector<std::size_t> move_of_;  ///< per entry; kNone: takes no part
 };
+
+/// How far apart two ends of a behaviour are [m], a radian counting as 0.3 m.
+double behaviorGap_m(const Pose2& a, const Pose2& b);
 
 }  // namespace hexapod

@@ -1,6 +1,7 @@
 #include "ros_interface/planner/walk_display.h"
 
 #include <geometry_msgs/PoseStamped.h>
+#include <ros/console.h>
 #include <visualization_msgs/MarkerArray.h>
 
 #include "hexapod_repertoire/StepReport.h"
@@ -71,5 +72,7 @@ void WalkDisplay::reportStep(const std::string& goal_id, std::uint32_t number,
   report.yaw_error_rad = headingDistance(step.world_from_end, after);
   step_publisher_.publish(report);
 }
+
+void WalkDisplay::tellStanding(const std::string& why) { ROS_WARN_STREAM(why); }
 
 }  // namespace hexapod

@@ -29,6 +29,7 @@ class WalkDisplay : public WalkWatcher {
                 const Pose2& goal, double xy_tolerance_m) override;
   void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
                   const Pose2& before, const Pose2& after) override;
+  void tellStanding(const std::string& why) override;
 
  private:
   const Clock& clock_;

@@ -24,6 +24,11 @@ struct Twist {
   double x_m_per_s = 0.0;
   double y_m_per_s = 0.0;
   double yaw_rad_per_s = 0.0;
+
+  bool operator!=(const Twist& other) const {
+    return x_m_per_s != other.x_m_per_s || y_m_per_s != other.y_m_per_s ||
+           yaw_rad_per_s != other.yaw_rad_per_s;
+  }
 };
 
 /// A goal as a client sent it.

@@ -13,8 +13,6 @@ namespace {
 constexpr std::int64_t kPoseMayReturn_ns = kSecond_ns / 2;
 // How often a blocked walk looks whether a way has opened.
 constexpr std::int64_t kRetry_ns = kSecond_ns / 2;
-// What the robot takes to its neutral pose after a behaviour was broken off.
-constexpr double kBrokenOff_s = 1.0;
 
 WalkOptions walkOptions(const PlannerNodeOptions& options) {
   WalkOptions walk_options;
@@ -30,11 +28,12 @@ bool isBlocked(const Walk::Decision& decision) {
 
 }  // namespace
 
-WalkRun::WalkRun(const Means& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner)
+WalkRun::WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner)
     : means_(means),
       goal_(goal),
       planner_(std::move(planner)),
-      walk_(planner_, goal.goal().pose, goal.goal().tolerance, walkOptions(means.options)) {}
+      walk_(planner_, goal.goal().pose, goal.goal().tolerance, walkOptions(means.options)),
+      obstacles_(means.obstacles) {}
 
 WalkReport WalkRun::run() {
   means_.watcher.showGoal(goal_.goal().pose);
@@ -72,8 +71,7 @@ void WalkRun::noteWhereRobotIs(const Pose2& robot) {
 }
 
 Walk::Decision WalkRun::decide() {
-  obstacles_ = means_.obstacles ? means_.obstacles() : nullptr;
-  walk_.setObstacles(obstacles_);
+  walk_.setObstacles(obstacles_.look());
   return walk_.decide(walked_.back(), [this] { return goal_.ended(); });
 }
 
@@ -85,22 +83,11 @@ Walk::Decision WalkRun::decideOnceOpen() {
   const auto isOver = [this] { return goal_.ended() || means_.newer_is_next(); };
   while (isBlocked(decision) && !isOver() && means_.clock.steadyNow_ns() < until_ns) {
     means_.clock.waitUntil(means_.clock.steadyNow_ns() + kRetry_ns, isOver);
-    if (means_.obstacles && means_.obstacles() == obstacles_) continue;
+    if (means_.obstacles && !obstacles_.isOutdated()) continue;
     walk_.disregardLastStep();
     decision = decide();
   }
   return decision;
-}
-
-bool WalkRun::wouldTouch() {
-  if (!means_.obstacles) return false;
-  const std::shared_ptr<const Obstacles> obstacles = means_.obstacles();
-  if (obstacles == obstacles_) return false;
-  obstacles_ = obstacles;
-  if (!obstacles) return false;
-  // Where it stood within its margin before, it is not stopped for being there.
-  const double stood_m = std::min(0.0, obstacles->clearance_m(walked_.back()));
-  return planner_->planner()->clearance_m(*obstacles, walked_.back(), entry_) < stood_m;
 }
 
 std::optional<PlannedStep> WalkRun::plan() {
@@ -127,7 +114,7 @@ std::optional<PlannedStep> WalkRun::plan() {
 
 bool WalkRun::isToBreakOff() {
   if (goal_.ended()) return true;
-  touches_ = touches_ || wouldTouch();
+  touches_ = touches_ || obstacles_.touchesNews(*planner_->planner(), walked_.back(), entry_);
   if (touches_) return true;
   const PoseReading robot = means_.poses.latest();
   const std::int64_t now_ns = means_.clock.steadyNow_ns();
@@ -157,7 +144,7 @@ bool WalkRun::play(const PlannedStep& step) {
     ++report_.steps;
     walk_.disregardLastStep();
     played_.reset();
-    rest_ = means_.clock.rosNow() + ros::Duration(kBrokenOff_s);
+    rest_ = means_.clock.rosNow() + ros::Duration(WalkMeans::kBrokenOff_s);
     return true;
   }
   if (result.end != BehaviorPlayer::End::kPlayed) {

@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "planning/walk.h"
-#include "ros_interface/common/clock.h"
+#include "ros_interface/planner/obstacle_watch.h"
 #include "ros_interface/planner/open_goal.h"
-#include "ros_interface/planner/planner_node_options.h"
-#include "ros_interface/planner/pose_source.h"
-#include "ros_interface/planner/walk_watcher.h"
+#include "ros_interface/planner/walk_means.h"
 
 namespace hexapod {
 
@@ -18,18 +16,7 @@ namespace hexapod {
 /// after the goal has ended. Used by one thread, once.
 class WalkRun {
  public:
-  /// What a walk needs of the node; all of it must outlive the walk.
-  struct Means {
-    const PlannerNodeOptions& options;
-    const Clock& clock;
-    const PoseSource& poses;
-    BehaviorPlayer& player;
-    WalkWatcher& watcher;
-    std::function<bool()> newer_is_next;  ///< asked at rest: another goal takes over
-    ObstacleSource obstacles = {};        ///< may be empty
-  };
-
-  WalkRun(const Means& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner);
+  WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<AdaptivePlanner> planner);
 
   /// Walks until the goal is reached or the walk has ended otherwise.
   WalkReport run();
@@ -41,8 +28,6 @@ class WalkRun {
   Walk::Decision decide();
   /// The same, while obstacles close every way, until they open or blocked_retry_s is over.
   Walk::Decision decideOnceOpen();
-  /// Whether the behaviour under way would touch what a new map shows.
-  bool wouldTouch();
   /// Plans from there. The behaviour to play, nothing when the walk has ended.
   std::optional<PlannedStep> plan();
   /// Has it played. False when the walk has ended.
@@ -52,7 +37,7 @@ class WalkRun {
   void noteWhereRobotIs(const Pose2& robot);
   void end(std::uint8_t code, const std::string& message);
 
-  Means means_;
+  const WalkMeans means_;
   OpenGoal& goal_;
   std::shared_ptr<AdaptivePlanner> planner_;
   Walk walk_;
@@ -62,9 +47,9 @@ class WalkRun {
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
   std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady
   std::string pose_problem_;           // why the behaviour under way is broken off
-  std::shared_ptr<const Obstacles> obstacles_;  // that the behaviour under way was judged by
-  std::size_t entry_ = 0;                       // of the behaviour under way
-  bool touches_ = false;                        // it is broken off as it would touch something new
+  ObstacleWatch obstacles_;
+  std::size_t entry_ = 0;  // of the behaviour under way
+  bool touches_ = false;   // it is broken off as it would touch something new
 };
 
 }  // namespace hexapod

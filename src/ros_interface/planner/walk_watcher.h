@@ -23,6 +23,9 @@ class WalkWatcher {
   /// Behaviour `number` (from 1) of a goal: what was predicted and what was measured.
   virtual void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
                           const Pose2& before, const Pose2& after) = 0;
+
+  /// The robot stands although it was told to walk: a sentence that says why.
+  virtual void tellStanding(const std::string& why) = 0;
 };
 
 }  // namespace hexapod

@@ -92,14 +92,10 @@ void Walker::walkToGoals() {
 }
 
 WalkReport Walker::walkTo(OpenGoal& goal) {
-  if (goal.request.twist) {
-    return walkByTwist({means_.player, [this] { return book_.newerIsNext(); }}, goal,
-                       *means_.repertoire.planner());
-  }
-  const WalkRun::Means means{means_.options,  means_.clock,
-                             means_.poses,    means_.player,
-                             means_.watcher,  [this] { return book_.newerIsNext(); },
-                             means_.obstacles};
+  const WalkMeans means{means_.options,  means_.clock,   means_.poses,
+                        means_.player,   means_.watcher, [this] { return book_.newerIsNext(); },
+                        means_.obstacles};
+  if (goal.request.twist) return TwistWalk(means, goal, means_.repertoire.planner()).run();
   // One repertoire for the whole walk; the goal was examined with it or an earlier one.
   return WalkRun(means, goal, means_.repertoire.planner()).run();
 }

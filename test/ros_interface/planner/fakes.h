@@ -102,10 +102,12 @@ class FakeWatcher : public WalkWatcher {
                   const Pose2&) override {
     ++steps;
   }
+  void tellStanding(const std::string&) override { ++standing; }
 
   std::atomic<int> goals{0};
   std::atomic<int> plans{0};
   std::atomic<int> steps{0};
+  std::atomic<int> standing{0};
 };
 
 /// Hears of a goal; waits for its end.

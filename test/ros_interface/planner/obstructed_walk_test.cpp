@@ -29,6 +29,7 @@ class ObstructedWalk : public testing::Test {
   ObstructedWalk() {
     Repertoire repertoire = arcRepertoire(300, 1);
     repertoire.run_id = "run";
+    repertoire.behavior_duration_s = 3.9;
     repertoire_.take(toMsg(repertoire, ros::Time(1.0)), "/server");
   }
 
@@ -153,6 +154,100 @@ TEST_F(ObstructedWalk, EndsBlockedWhenNoWayOpensInTime) {
   show(wallsAround(2.0, false));
   player_.held = false;
   EXPECT_EQ(client.waitForEnd().code, GoalCode::BLOCKED);
+}
+
+/// A velocity that a test changes.
+class HeldTwist {
+ public:
+  explicit HeldTwist(const Twist& twist) : twist_(twist) {}
+
+  GoalRequest request() {
+    GoalRequest request;
+    request.twist = [this] {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      return twist_;
+    };
+    return request;
+  }
+  void become(const std::optional<Twist>& twist) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    twist_ = twist;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::optional<Twist> twist_;
+};
+
+class VelocityAmongObstacles : public ObstructedWalk {
+ protected:
+  void waitUntilItStands(int times = 1) {
+    while (watcher_.standing < times) std::this_thread::yield();
+  }
+  Pose2 robot() const { return *poses_.latest().pose; }
+
+  HeldTwist twist_{{0.2, 0.0, 0.0}};
+  Client client_;
+};
+
+TEST_F(VelocityAmongObstacles, IsWalkedUpToThemWhichIsToldOnceAndOnWhenTheyAreGone) {
+  const auto walls = wallsAround(2.0, false);
+  show(walls);
+  const auto walking = walker();
+  walking->submit(twist_.request(), client_.listener());
+  waitUntilItStands();
+  EXPECT_GE(walls->clearance_m(robot()), 0.0);
+  EXPECT_GT(robot().x_m, 1.2) << "it stopped long before";
+  const std::int64_t then_ns = clock_.steadyNow_ns();
+  while (clock_.steadyNow_ns() < then_ns + 10 * kSecond_ns) std::this_thread::yield();
+  EXPECT_EQ(watcher_.standing, 1);
+  show(nullptr);
+  while (robot().x_m < 2.5) std::this_thread::yield();
+  twist_.become(std::nullopt);
+  EXPECT_EQ(client_.waitForEnd().code, GoalCode::SUCCEEDED);
+  EXPECT_EQ(watcher_.standing, 1);
+}
+
+TEST_F(VelocityAmongObstacles, LeadsAwayFromThemAtOnce) {
+  const auto walls = wallsAround(2.0, false);
+  show(walls);
+  const auto walking = walker();
+  walking->submit(twist_.request(), client_.listener());
+  waitUntilItStands();
+  const double stood_x_m = robot().x_m;
+  twist_.become(Twist{-0.1, 0.0, 0.0});
+  while (robot().x_m > stood_x_m - 0.5) std::this_thread::yield();
+  EXPECT_EQ(client_.ends(), 0u);
+  walking->cancelAll();
+  EXPECT_EQ(client_.waitForEnd().code, GoalCode::PREEMPTED);
+}
+
+TEST_F(VelocityAmongObstacles, IsBrokenOffWhenANewMapShowsOneInTheWay) {
+  player_.held = true;
+  const auto walking = walker();
+  walking->submit(twist_.request(), client_.listener());
+  waitForBehaviour(1);
+  show(obstaclesOf([](double x_m, double y_m) { return x_m > 0.35 && std::abs(y_m) < 3.0; }));
+  waitUntilItStands();  // nobody released the behaviour
+  EXPECT_EQ(player_.begun, 1);
+  walking->cancelAll();
+  EXPECT_EQ(client_.waitForEnd().code, GoalCode::PREEMPTED);
+}
+
+TEST_F(VelocityAmongObstacles, EndsWhenThePoseIsLostAndNotWithoutAMap) {
+  poses_.set({std::nullopt, "The robot's pose is lost."});
+  show(wallsAround(2.0, false));
+  const auto walking = walker();
+  walking->submit(twist_.request(), client_.listener());
+  EXPECT_EQ(client_.waitForEnd().code, GoalCode::POSE_LOST);
+  EXPECT_EQ(player_.begun, 0);
+  show(nullptr);
+  player_.held = true;
+  Client blind;
+  walking->submit(twist_.request(), blind.listener());
+  waitForBehaviour(1);
+  walking->cancelAll();
+  EXPECT_EQ(blind.waitForEnd().code, GoalCode::PREEMPTED);
 }
 
 TEST_F(ObstructedWalk, PlansWithAnImportedRepertoireButDoesNotWalkWithIt) {

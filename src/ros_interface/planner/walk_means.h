@@ -1,0 +1,28 @@
+#pragma once
+
+#include <functional>
+
+#include "ros_interface/common/clock.h"
+#include "ros_interface/planner/behavior_player.h"
+#include "ros_interface/planner/planner_node_options.h"
+#include "ros_interface/planner/pose_source.h"
+#include "ros_interface/planner/walk_goal.h"
+#include "ros_interface/planner/walk_watcher.h"
+
+namespace hexapod {
+
+/// What a walk needs of the node; all of it must outlive the walk.
+struct WalkMeans {
+  const PlannerNodeOptions& options;
+  const Clock& clock;
+  const PoseSource& poses;
+  BehaviorPlayer& player;
+  WalkWatcher& watcher;
+  std::function<bool()> newer_is_next;  ///< asked at rest: another goal takes over
+  ObstacleSource obstacles = {};        ///< may be empty
+
+  /// What the robot takes to its neutral pose after a behaviour was broken off.
+  static constexpr double kBrokenOff_s = 1.0;
+};
+
+}  // namespace hexapod
