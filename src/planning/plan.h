@@ -91,6 +91,8 @@ struct PlanResult {
   double spread_rad = 0.0;
   /// Proved: no plan to the target has fewer behaviours.
   std::size_t at_least_steps = 0;
+  double length_m = 0.0;    ///< way of base_footprint along the plan
+  double duration_s = 0.0;  ///< of its behaviours
   /// Smallest room between footprint with margin and what is occupied along the plan [m].
   double clearance_m = std::numeric_limits<double>::infinity();
   PlanMemory memory;

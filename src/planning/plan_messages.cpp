@@ -31,7 +31,7 @@ std::string describeFailure(const PlanResult& result, const PlanRequest& request
              " behaviours was found to " + target;
     default:
       return "No plan to " + target +
-             " was found before planning was stopped or "
+             " was found before planning was stopped, by a cancel or the clock, or "
              "planning_time_s = " +
              text(options.planning_time_s) + " was used up";
   }
@@ -44,6 +44,15 @@ std::string describeLength(const PlanResult& result) {
          (result.gap() == 0
               ? " (no plan has fewer)"
               : " (at least " + std::to_string(result.at_least_steps) + " are needed)");
+}
+
+/// "1.2 m in 11.7 s", and the room it keeps among obstacles.
+std::string describeWay(const PlanResult& result) {
+  std::string way = text(result.length_m) + " m in " + text(result.duration_s) + " s";
+  if (std::isfinite(result.clearance_m)) {
+    way += " keeping " + text(result.clearance_m) + " m beyond the margin";
+  }
+  return way;
 }
 
 }  // namespace
@@ -117,7 +126,9 @@ std::string describe(const PlanResult& result, const PlanRequest& request,
     end += poseText(result.world_from_target) + ", the nearest free pose to ";
   }
   end += "the goal.";
-  if (result.code == PlanCode::kFound) return describeLength(result) + ", predicted to end " + end;
+  if (result.code == PlanCode::kFound) {
+    return describeLength(result) + ", " + describeWay(result) + ", predicted to end " + end;
+  }
   return describeFailure(result, request, options) + "; the nearest pose found is " +
          poseText(result.world_from_end) + ", " + end;
 }

@@ -62,6 +62,7 @@ Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options,
                  const Deviation& deviation, const EntryPaths& paths)
     : options_(checked(options)),
       tables_(repertoire, options_, deviation, paths),
+      behavior_duration_s_(repertoire.behavior_duration_s),
       move_of_(repertoire.entries.size(), kNone) {
   ids_.reserve(repertoire.entries.size());
   for (const Entry& entry : repertoire.entries) ids_.push_back(entry.id);
@@ -181,6 +182,7 @@ void Planner::search(const PlanRequest& request, PlanResult& result) const {
     return;
   }
   result.steps.clear();
+  result.length_m = result.duration_s = 0.0;
   result.memory.entries.clear();
   result.code = found.at_least > options_.max_steps ? PlanCode::kTooManySteps
                 : found.exhausted                   ? PlanCode::kUnreachable
@@ -235,6 +237,8 @@ void Planner::compose(const std::vector<std::size_t>& chain, const Obstacles* ob
           std::min(result.clearance_m, obstacles->clearance_m(result.world_from_end, move.path));
     }
     result.world_from_end = result.world_from_end * move.end;
+    result.length_m += move.path.points.back().moved_m;
+    result.duration_s += behavior_duration_s_;
     uncertainty = uncertainty.after(move, 1.0);
     result.steps.push_back({move.entry, ids_[move.entry], result.world_from_end});
     result.memory.entries.push_back(move.entry);

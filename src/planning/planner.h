@@ -76,6 +76,7 @@ class Planner {
 
   PlannerOptions options_;
   PlanningTables tables_;
+  double behavior_duration_s_;
   std::vector<std::int64_t> ids_;     ///< per entry of the repertoire
   std::vector<std::size_t> move_of_;  ///< per entry; kNone: takes no part
 };

@@ -17,6 +17,8 @@ hexapod_repertoire::WalkToResult walkToResult(const WalkReport& report) {
   result.code = report.code;
   result.message = report.message;
   result.plan = report.plan;
+  result.plan_summary = report.plan_summary;
+  result.nearest_pose = report.nearest_pose;
   result.final_pose = report.final_pose;
   result.final_xy_error_m = static_cast<float>(report.final_xy_error_m);
   result.final_yaw_error_rad = static_cast<float>(report.final_yaw_error_rad);

@@ -6,6 +6,7 @@
 #include "repertoire/import_repertoire.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/planner/walk_display.h"
+#include "ros_interface/planner/walk_means.h"
 
 namespace hexapod {
 namespace {
@@ -141,15 +142,15 @@ void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
   request.world_from_start = examination.start;
   request.world_from_goal = examination.goal.pose;
   request.tolerance = examination.goal.tolerance;
-  request.stop = stop;
+  request.stop = withinWallTime(means_.options, means_.clock, stop);
   if (means_.obstacles) request.obstacles = means_.obstacles();
   request.goal_policy = means_.options.goalPolicy();
   examination.plan = planner->plan(request);
   WalkReport& report = examination.report;
   report.code = codeOf(examination.plan.code);
   report.message = examination.plan.message;
-  report.plan = pathOf(examination.start, examination.plan, means_.options.global_frame,
-                       means_.clock.rosNow());
+  fillIn(examination.start, examination.plan, means_.options.global_frame, means_.clock.rosNow(),
+         report);
 }
 
 }  // namespace hexapod

@@ -18,6 +18,9 @@ class ObstacleWatch {
   /// Those of now, by which is judged from now on; null: everything is free.
   const std::shared_ptr<const Obstacles>& look();
 
+  /// Those of the last look.
+  const std::shared_ptr<const Obstacles>& seen() const { return seen_; }
+
   /// Whether others are known by now than at the last look.
   bool isOutdated() const { return source_ && source_() != seen_; }
 

@@ -37,8 +37,14 @@ bool OpenGoal::end(const WalkReport& report) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (ended_) return false;
   ended_ = true;
+  so_far_ = report;
   if (listener_.ended) listener_.ended(report);
   return true;
+}
+
+WalkReport OpenGoal::report() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return so_far_;
 }
 
 bool OpenGoal::end(std::uint8_t code, const std::string& message) {

@@ -44,12 +44,15 @@ class OpenGoal {
   /// The answer, with what was noted of the walk so far.
   bool end(std::uint8_t code, const std::string& message);
 
+  /// What it ended with, or how far it is.
+  WalkReport report() const;
+
  private:
   const GoalListener listener_;
   std::atomic<bool> ended_{false};
-  std::mutex mutex_;   // held while the listener is called
-  WalkReport so_far_;  // guarded by mutex_
-  WalkGoal goal_;      // written before acceptance
+  mutable std::mutex mutex_;  // held while the listener is called
+  WalkReport so_far_;         // guarded by mutex_
+  WalkGoal goal_;             // written before acceptance
 };
 
 }  // namespace hexapod

@@ -17,6 +17,11 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
              "that explains what was walked, and plan with what it makes of the "
              "repertoire (needs robot_config).",
              {Adaptation::kNone, Adaptation::kSelfModel}));
+  all.push_back(option("planning_wall_time_s", options.planning_wall_time_s, "s",
+                       "Time by the clock that one plan may take: the best one by then, if there "
+                       "is one. 0: only planning_time_s limits it, which counts, so that the same "
+                       "goal always gives the same plan.",
+                       0.0, 3600.0));
   all.push_back(option("tf_timeout_s", options.tf_timeout_s, "s",
                        "How long to wait for the transform of a goal.", 0.0, 60.0));
   all.push_back(option("pose_timeout_s", options.pose_timeout_s, "s",

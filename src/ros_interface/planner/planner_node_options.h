@@ -23,6 +23,7 @@ struct PlannerNodeOptions {
   std::string global_frame = names::kOdomFrame;
   std::string base_frame = names::kFootprintFrame;
   std::string adaptation = Adaptation::kSelfModel;  ///< one of Adaptation
+  double planning_wall_time_s = 2.0;                ///< 0: as long as it takes
   double tf_timeout_s = 0.5;
   double pose_timeout_s = 1.0;
   double pose_settle_s = 0.15;

@@ -26,6 +26,8 @@ void fill(const WalkReport& report, hexapod_repertoire::GoTo::Response& response
   response.final_xy_error_m = static_cast<float>(report.final_xy_error_m);
   response.final_yaw_error_rad = static_cast<float>(report.final_yaw_error_rad);
   response.steps = report.steps;
+  response.plan_summary = report.plan_summary;
+  response.nearest_pose = report.nearest_pose;
   if (!report.plan.poses.empty()) response.plan = report.plan;
 }
 

@@ -4,7 +4,11 @@
 #include <ros/console.h>
 #include <visualization_msgs/MarkerArray.h>
 
+#include <cmath>
+
+#include "common/text.h"
 #include "hexapod_repertoire/StepReport.h"
+#include "hexapod_repertoire/WalkSummary.h"
 #include "planning/path.h"
 #include "ros_interface/common/conversions.h"
 
@@ -19,11 +23,45 @@ std::vector<Pose2> stopsOf(const PlanResult& plan) {
   return stops;
 }
 
+bool looksForPoses(PlanCode code) {
+  return code != PlanCode::kInvalidGoal && code != PlanCode::kNoRepertoire &&
+         code != PlanCode::kStartOccupied;
+}
+
+/// A walk in one line.
+std::string describe(const WalkReport& report) {
+  const WalkTally& tally = report.tally;
+  std::string line = std::to_string(report.steps) + " behaviours in " +
+                     fixedText(tally.duration_s, 1) + " s, " + fixedText(tally.distance_m, 2) +
+                     " m, " + fixedText(100.0 * tally.xy_error_m, 1) + " cm and " +
+                     fixedText(tally.yaw_error_rad * 180.0 / M_PI, 1) +
+                     " deg from their predictions in the mean, planned otherwise " +
+                     std::to_string(tally.replans) + " times";
+  if (std::isfinite(tally.clearance_m)) {
+    line += ", at least " + fixedText(tally.clearance_m, 2) + " m beyond the margin to obstacles";
+  }
+  return line + ".";
+}
+
 }  // namespace
 
 nav_msgs::Path pathOf(const Pose2& start, const PlanResult& plan, const std::string& frame,
                       const ros::Time& stamp) {
   return toPathMsg(samplePath(start, stopsOf(plan), kPathSpacing_m), frame, stamp);
+}
+
+void fillIn(const Pose2& start, const PlanResult& plan, const std::string& frame,
+            const ros::Time& stamp, WalkReport& report) {
+  report.plan = pathOf(start, plan, frame, stamp);
+  report.plan_summary.steps = static_cast<std::uint32_t>(plan.steps.size());
+  report.plan_summary.at_least_steps = static_cast<std::uint32_t>(plan.at_least_steps);
+  report.plan_summary.length_m = plan.length_m;
+  report.plan_summary.duration_s = plan.duration_s;
+  report.plan_summary.clearance_m = plan.clearance_m;
+  if (!looksForPoses(plan.code)) return;
+  report.nearest_pose.header.frame_id = frame;
+  report.nearest_pose.header.stamp = stamp;
+  report.nearest_pose.pose = toPoseMsg(plan.world_from_end);
 }
 
 WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, const Clock& clock,
@@ -33,7 +71,9 @@ WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, c
       plan_publisher_(node.advertise<nav_msgs::Path>("plan", 1, true)),
       goal_publisher_(node.advertise<geometry_msgs::PoseStamped>("current_goal", 1, true)),
       marker_publisher_(node.advertise<visualization_msgs::MarkerArray>("plan_markers", 1, true)),
-      step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)) {}
+      step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)),
+      summary_publisher_(
+          private_node.advertise<hexapod_repertoire::WalkSummary>("walk_summary", 10)) {}
 
 void WalkDisplay::showGoal(const Pose2& goal) {
   geometry_msgs::PoseStamped message;
@@ -71,6 +111,25 @@ void WalkDisplay::reportStep(const std::string& goal_id, std::uint32_t number,
   report.xy_error_m = distance(step.world_from_end, after);
   report.yaw_error_rad = headingDistance(step.world_from_end, after);
   step_publisher_.publish(report);
+}
+
+void WalkDisplay::reportWalk(const std::string& goal_id, const WalkReport& report) {
+  const WalkTally& tally = report.tally;
+  hexapod_repertoire::WalkSummary summary;
+  summary.header.frame_id = frame_;
+  summary.header.stamp = clock_.rosNow();
+  summary.goal_id = goal_id;
+  summary.code = report.code;
+  summary.message = report.message;
+  summary.steps = report.steps;
+  summary.replans = tally.replans;
+  summary.duration_s = tally.duration_s;
+  summary.distance_m = tally.distance_m;
+  summary.xy_error_m = tally.xy_error_m;
+  summary.yaw_error_rad = tally.yaw_error_rad;
+  summary.clearance_m = tally.clearance_m;
+  summary_publisher_.publish(summary);
+  ROS_INFO_STREAM(goal_id << ": " << describe(report));
 }
 
 void WalkDisplay::tellStanding(const std::string& why) { ROS_WARN_STREAM(why); }

@@ -17,7 +17,12 @@ namespace hexapod {
 nav_msgs::Path pathOf(const Pose2& start, const PlanResult& plan, const std::string& frame,
                       const ros::Time& stamp);
 
-/// Tells everybody of walks: current_goal, plan, plan_markers (latched) and ~step_report.
+/// What a plan found, for an answer: its path, its summary, where it ends or else the nearest pose.
+void fillIn(const Pose2& start, const PlanResult& plan, const std::string& frame,
+            const ros::Time& stamp, WalkReport& report);
+
+/// Tells everybody of walks: current_goal, plan, plan_markers (latched), ~step_report and
+/// ~walk_summary.
 class WalkDisplay : public WalkWatcher {
  public:
   /// `frame` is the frame of every pose that is published. The clock must outlive it.
@@ -29,6 +34,7 @@ class WalkDisplay : public WalkWatcher {
                 const Pose2& goal, double xy_tolerance_m) override;
   void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
                   const Pose2& before, const Pose2& after) override;
+  void reportWalk(const std::string& goal_id, const WalkReport& report) override;
   void tellStanding(const std::string& why) override;
 
  private:
@@ -38,6 +44,7 @@ class WalkDisplay : public WalkWatcher {
   ros::Publisher goal_publisher_;
   ros::Publisher marker_publisher_;
   ros::Publisher step_publisher_;
+  ros::Publisher summary_publisher_;
 };
 
 }  // namespace hexapod

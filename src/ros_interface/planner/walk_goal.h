@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -47,11 +48,24 @@ struct WalkGoal {
   GoalTolerance tolerance;
 };
 
+/// What a walk was like, so far.
+struct WalkTally {
+  std::uint32_t replans = 0;  ///< plans that were not what was left of the one before
+  double duration_s = 0.0;
+  double distance_m = 0.0;  ///< walked, between the poses measured at rest
+  double xy_error_m = 0.0;  ///< mean over its behaviours, from their predictions
+  double yaw_error_rad = 0.0;
+  double clearance_m = std::numeric_limits<double>::infinity();  ///< least, at measured poses
+};
+
 /// What became of a goal: a code of GoTo.srv, a sentence, the first plan, the end.
 struct WalkReport {
   std::uint8_t code = GoalCode::INTERNAL_ERROR;
   std::string message;
   nav_msgs::Path plan;
+  hexapod_repertoire::PlanSummary plan_summary;
+  geometry_msgs::PoseStamped nearest_pose;  ///< without a frame: none was looked for
+  WalkTally tally;
   geometry_msgs::PoseStamped final_pose;
   double final_xy_error_m = 0.0;
   double final_yaw_error_rad = 0.0;

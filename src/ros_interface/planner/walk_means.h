@@ -25,4 +25,8 @@ struct WalkMeans {
   static constexpr double kBrokenOff_s = 1.0;
 };
 
+/// `stop`, or that a plan begun now has taken planning_wall_time_s. The clock must outlive it.
+std::function<bool()> withinWallTime(const PlannerNodeOptions& options, const Clock& clock,
+                                     std::function<bool()> stop);
+
 }  // namespace hexapod

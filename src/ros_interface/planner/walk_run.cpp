@@ -33,6 +33,7 @@ WalkRun::WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<Adaptiv
       goal_(goal),
       planner_(std::move(planner)),
       walk_(planner_, goal.goal().pose, goal.goal().tolerance, walkOptions(means.options)),
+      tally_(means.clock),
       obstacles_(means.obstacles) {}
 
 WalkReport WalkRun::run() {
@@ -53,8 +54,10 @@ bool WalkRun::measure() {
   }
   if (played_) {
     means_.watcher.reportStep(goal_.id, report_.steps, *played_, walked_.back(), *robot.pose);
+    tally_.noteStep(played_->world_from_end, *robot.pose);
   }
   walked_.push_back(*robot.pose);
+  tally_.noteRest(*robot.pose);
   noteWhereRobotIs(*robot.pose);
   if (!means_.newer_is_next()) return true;
   end(GoalCode::PREEMPTED, "A newer goal took over.");
@@ -67,12 +70,15 @@ void WalkRun::noteWhereRobotIs(const Pose2& robot) {
   report_.final_pose.pose = toPoseMsg(robot);
   report_.final_xy_error_m = distance(robot, goal_.goal().pose);
   report_.final_yaw_error_rad = headingDistance(robot, goal_.goal().pose);
+  if (obstacles_.seen()) tally_.noteClearance(obstacles_.seen()->clearance_m(robot));
+  report_.tally = tally_.tally();
   goal_.note(report_);
 }
 
 Walk::Decision WalkRun::decide() {
   walk_.setObstacles(obstacles_.look());
-  return walk_.decide(walked_.back(), [this] { return goal_.ended(); });
+  return walk_.decide(walked_.back(), withinWallTime(means_.options, means_.clock,
+                                                     [this] { return goal_.ended(); }));
 }
 
 Walk::Decision WalkRun::decideOnceOpen() {
@@ -96,9 +102,14 @@ std::optional<PlannedStep> WalkRun::plan() {
   const Walk::Decision decision = decideOnceOpen();
   if (goal_.ended()) return std::nullopt;
   means_.watcher.showPlan(robot, decision.plan, walked_, goal.pose, goal.tolerance.xy_m);
+  WalkReport now;
+  fillIn(robot, decision.plan, means_.options.global_frame, means_.clock.rosNow(), now);
+  report_.nearest_pose = now.nearest_pose;
   if (report_.steps == 0) {
-    report_.plan = pathOf(robot, decision.plan, means_.options.global_frame, means_.clock.rosNow());
+    report_.plan = now.plan;
+    report_.plan_summary = now.plan_summary;
   }
+  tally_.notePlan(decision.plan);
   if (decision.state != WalkState::kStep) {
     // Where it was led instead is not where it was to go.
     const bool elsewhere = decision.state == WalkState::kArrived &&

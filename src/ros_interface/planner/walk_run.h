@@ -8,6 +8,7 @@
 #include "planning/walk.h"
 #include "ros_interface/planner/obstacle_watch.h"
 #include "ros_interface/planner/open_goal.h"
+#include "ros_interface/planner/tally_keeper.h"
 #include "ros_interface/planner/walk_means.h"
 
 namespace hexapod {
@@ -47,6 +48,7 @@ class WalkRun {
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
   std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady
   std::string pose_problem_;           // why the behaviour under way is broken off
+  TallyKeeper tally_;
   ObstacleWatch obstacles_;
   std::size_t entry_ = 0;  // of the behaviour under way
   bool touches_ = false;   // it is broken off as it would touch something new

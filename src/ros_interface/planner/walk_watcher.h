@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "planning/planner.h"
+#include "ros_interface/planner/walk_goal.h"
 
 namespace hexapod {
 
@@ -23,6 +23,9 @@ class WalkWatcher {
   /// Behaviour `number` (from 1) of a goal: what was predicted and what was measured.
   virtual void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
                           const Pose2& before, const Pose2& after) = 0;
+
+  /// A walk has ended, however it did.
+  virtual void reportWalk(const std::string& goal_id, const WalkReport& report) = 0;
 
   /// The robot stands although it was told to walk: a sentence that says why.
   virtual void tellStanding(const std::string& why) = 0;

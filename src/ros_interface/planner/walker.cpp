@@ -83,6 +83,7 @@ void Walker::walkToGoals() {
       try {
         const WalkReport report = walkTo(*goal);
         if (goal->end(report)) log(goal->id, report);
+        means_.watcher.reportWalk(goal->id, goal->report());
       } catch (const std::exception& error) {
         goal->end(internalError(error));
       }

@@ -102,12 +102,24 @@ class FakeWatcher : public WalkWatcher {
                   const Pose2&) override {
     ++steps;
   }
+  void reportWalk(const std::string&, const WalkReport& report) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    walks_.push_back(report);
+  }
+  std::vector<WalkReport> walks() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return walks_;
+  }
   void tellStanding(const std::string&) override { ++standing; }
 
   std::atomic<int> goals{0};
   std::atomic<int> plans{0};
   std::atomic<int> steps{0};
   std::atomic<int> standing{0};
+
+ private:
+  mutable std::mutex mutex_;
+  std::vector<WalkReport> walks_;
 };
 
 /// Hears of a goal; waits for its end.

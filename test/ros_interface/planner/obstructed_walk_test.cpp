@@ -77,14 +77,24 @@ TEST_F(ObstructedWalk, GoesAroundWhatTheMapShows) {
     EXPECT_TRUE(obstacles_->clearance_m({pose.pose.position.x, pose.pose.position.y, 0.0}) > -0.03);
   }
   EXPECT_LT(leftmost_m, -2.0) << "not out by the gap";
+  EXPECT_GE(report.plan_summary.clearance_m, 0.0);
+  EXPECT_GE(report.tally.clearance_m, 0.0);
+  EXPECT_LT(report.tally.clearance_m, 0.3);
 }
 
 TEST_F(ObstructedWalk, RefusesGoalsWithTheirReason) {
   show(wallsAround(2.0, false));
-  EXPECT_EQ(walk(goalAt(3.0, 0.0, 0.0)).code, GoalCode::BLOCKED);
-  EXPECT_EQ(walk(goalAt(2.05, 0.0, 0.0)).code, GoalCode::GOAL_OCCUPIED);
+  for (const auto& [goal_x_m, code] :
+       {std::pair{3.0, GoalCode::BLOCKED}, std::pair{2.05, GoalCode::GOAL_OCCUPIED}}) {
+    const WalkReport refusal = walk(goalAt(goal_x_m, 0.0, 0.0));
+    EXPECT_EQ(refusal.code, code);
+    EXPECT_EQ(refusal.nearest_pose.header.frame_id, "odom");
+    EXPECT_NEAR(refusal.nearest_pose.pose.position.x, 2.0 - 0.33, 0.1);
+  }
   poses_.set({Pose2{2.05, 0.0, 0.0}, ""});
-  EXPECT_EQ(walk(goalAt(0.0, 0.0, 0.0)).code, GoalCode::START_OCCUPIED);
+  const WalkReport refusal = walk(goalAt(0.0, 0.0, 0.0));
+  EXPECT_EQ(refusal.code, GoalCode::START_OCCUPIED);
+  EXPECT_EQ(refusal.nearest_pose.header.frame_id, "") << "none was looked for";
   EXPECT_EQ(player_.begun, 0);
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <memory>
 
@@ -59,6 +60,37 @@ TEST_F(WalkerTest, WalksToAGoalAndReportsEveryBehaviour) {
   EXPECT_NEAR(report.final_pose.pose.position.x, poses_.latest().pose->x_m, 1e-12);
   EXPECT_LE(report.final_xy_error_m, options_.planner.xy_tolerance_m);
   EXPECT_NEAR(report.plan.poses.front().pose.position.x, 0.3, 1e-9);
+}
+
+TEST_F(WalkerTest, SumsUpThePlanAndTheWalk) {
+  const WalkReport report = walk(goalAt(1.2, 0.9, -1.0));
+  const auto& plan = report.plan_summary;
+  EXPECT_EQ(plan.steps, report.steps) << "a robot that does as predicted walks its plan";
+  EXPECT_GE(plan.steps, plan.at_least_steps);
+  EXPECT_GT(plan.at_least_steps, 1u);
+  EXPECT_GE(plan.length_m, 1.5);  // the straight line
+  EXPECT_NEAR(plan.duration_s, 3.9 * plan.steps, 1e-9);
+  EXPECT_TRUE(std::isinf(plan.clearance_m)) << "without a map";
+  EXPECT_EQ(report.nearest_pose.header.frame_id, "odom");
+  walker_.reset();  // all is told
+  ASSERT_EQ(watcher_.walks().size(), 1u);
+  const WalkReport summary = watcher_.walks().front();
+  EXPECT_EQ(summary.code, GoalCode::SUCCEEDED);
+  EXPECT_EQ(summary.steps, report.steps);
+  EXPECT_LT(summary.tally.xy_error_m, 1e-9);
+  EXPECT_GE(summary.tally.distance_m, 1.5 - options_.planner.xy_tolerance_m);
+}
+
+TEST_F(WalkerTest, SumsUpACancelledWalkAsSuch) {
+  player_.held = true;
+  Client client;
+  submit(client, goalAt(3.0, 0.0, 0.0));
+  while (player_.begun == 0) std::this_thread::yield();
+  walker_->cancelAll();
+  client.waitForEnd();
+  walker_.reset();
+  ASSERT_EQ(watcher_.walks().size(), 1u);
+  EXPECT_EQ(watcher_.walks().front().code, GoalCode::PREEMPTED);
 }
 
 TEST_F(WalkerTest, RefusesAtOnceWhatCannotBeExecutedAndSaysWhatToDo) {

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "planning/plan.h"
+#include "ros_interface/common/clock.h"
+#include "ros_interface/planner/walk_goal.h"
+
+namespace hexapod {
+
+/// Keeps the tally of one walk. Used by one thread.
+class TallyKeeper {
+ public:
+  /// The walk begins. The clock must outlive it.
+  explicit TallyKeeper(const Clock& clock) : clock_(clock), begin_(clock.rosNow()) {}
+
+  /// Where the robot has come to rest.
+  void noteRest(const Pose2& robot);
+  /// What the plan made there says.
+  void notePlan(const PlanResult& plan);
+  /// A behaviour was played as it is.
+  void noteStep(const Pose2& predicted, const Pose2& measured);
+  /// On the way.
+  void noteClearance(double clearance_m);
+
+  WalkTally tally() const;
+
+ private:
+  const Clock& clock_;
+  ros::Time begin_;
+  WalkTally tally_;
+  std::vector<std::size_t> expected_;  // entries left of the last plan
+  bool has_plan_ = false;
+  std::optional<Pose2> rest_;
+  double behaviors_ = 0.0;  // that errors are known of
+};
+
+}  // namespace hexapod
