@@ -160,11 +160,6 @@ class ExecutorFaults(unittest.TestCase):
         rs.wait_for(lambda: says in self.refusal(99, message.run_id), 5.0, says)
 
     def test_plays_entries_of_the_repertoire_and_of_no_other_run_or_robot(self):
-        self.publish(self.repertoire(), "Entry 99 is not")
-        handle = self.session.send(entry_id=7, run_id="run")
-        rs.wait_for(lambda: self.session.states.last().entry_id == 7, 5.0, "entry 7 in the state")
-        self.assertTrue(rs.played(self.session.result(handle)))
-        self.assertIn("'run'", self.refusal(7, "other run"))
         self.publish(self.repertoire(robot_id="0123"), "learned for the robot 0123")
         self.publish(self.repertoire(behavior_duration_s=3.0), "behaviours take 3.0")
         self.publish(self.repertoire(behavior_duration_s=math.nan), "behaviours take nan")
@@ -174,6 +169,11 @@ class ExecutorFaults(unittest.TestCase):
                          "Entry 7 of the repertoire is refused")
         twice = [RepertoireEntry(id=7, genome=bytes(rs.TURN))] * 2
         self.publish(self.repertoire(entries=twice), "occurs twice")
+        self.publish(self.repertoire(), "Entry 99 is not")
+        handle = self.session.send(entry_id=7, run_id="run")
+        rs.wait_for(lambda: self.session.states.last().entry_id == 7, 5.0, "entry 7 in the state")
+        self.assertTrue(rs.played(self.session.result(handle)))
+        self.assertIn("'run'", self.refusal(7, "other run"))
 
 
 if __name__ == "__main__":

@@ -6,8 +6,9 @@ import unittest
 
 import rospy
 import rostest
-from actionlib_msgs.msg import GoalStatus
-from hexapod_repertoire.msg import ExecuteBehaviorResult, ExecutorState
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
+from hexapod_repertoire.msg import (ExecuteBehaviorActionGoal, ExecuteBehaviorResult,
+                                    ExecutorState)
 from std_msgs.msg import Bool
 from std_srvs.srv import Trigger
 
@@ -50,6 +51,27 @@ class ExecutorWalk(unittest.TestCase):
             self.assertEqual(result.code, ExecuteBehaviorResult.INVALID_GOAL)
             self.assertIn(says, result.message)
         self.assertEqual(self.session.state(), ExecutorState.READY)
+
+    def test_senseless_stamps_and_ids_of_others_keep_no_goal_from_being_played(self):
+        statuses = rs.Recorder("execute/status", GoalStatusArray)
+        cancel = rospy.Publisher("execute/cancel", GoalID, queue_size=10)
+        goals = rospy.Publisher("execute/goal", ExecuteBehaviorActionGoal, queue_size=10)
+        rs.wait_for(lambda: cancel.get_num_connections() and goals.get_num_connections(), 10.0,
+                    "the executor's ears")
+
+        def know(goal_id):
+            return [status.status for message in statuses.all() for status in message.status_list
+                    if status.goal_id.id == goal_id]
+        last_s = 2**32 - 1
+        cancel.publish(GoalID(id="ahead of its time", stamp=rospy.Time(last_s)))
+        rs.wait_for(lambda: know("ahead of its time"), 10.0, "the cancel to come")
+        goals.publish(goal_id=GoalID(id="x" * 100000))
+        again = ExecuteBehaviorActionGoal(goal_id=GoalID(id="again", stamp=rospy.Time(last_s)))
+        goals.publish(again)
+        rs.wait_for(lambda: GoalStatus.REJECTED in know("again"), 10.0, "a goal to be rejected")
+        goals.publish(again)
+        self.assertTrue(rs.played(self.session.result(self.session.send(rs.TURN))))
+        self.assertFalse(know("x" * 100000))
 
     def test_cancel_ends_in_the_neutral_pose(self):
         handle = self.session.send(rs.TRIPOD)

@@ -2,8 +2,10 @@
 
 #include <actionlib/server/action_server_base.h>
 #include <ros/callback_queue_interface.h>
+#include <ros/console.h>
 #include <ros/node_handle.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <utility>
@@ -15,10 +17,13 @@ namespace hexapod {
 /// - its callbacks run in the queue it is given, its status goes out on steady time;
 /// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
 ///   not RECALLED with an empty result, whose code 0 reads as success;
-/// - a cancel that was stamped before the clock was set back cancels no later goals;
+/// - a cancel is stamped no later than it came, and one that was stamped before the clock was set
+///   back cancels no later goals;
+/// - a goal or cancel with an id of more than kLongestId characters is left out, with a warning:
+/// ids
+///   are repeated in every status;
 /// - how a goal ended stays in the status for 5 s of steady time: a clock that is set makes no
-/// client
-///   lose its goal, one that stands makes no list grow.
+///   client lose its goal, one that stands makes no list grow.
 /// Destroyed by one thread after the last goal has ended; else from any thread.
 template <class Action>
 class SteadyActionServer : public actionlib::ActionServerBase<Action> {
@@ -46,6 +51,7 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
   static constexpr std::uint32_t kQueueSize = 50;
   static constexpr double kStatusPeriod_s = 0.2;
   static constexpr double kKeepEnded_s = 5.0;
+  static constexpr std::size_t kLongestId = 1000;
 
   void initialize() override {
     result_publisher_ = node_.template advertise<typename Base::ActionResult>("result", kQueueSize);
@@ -59,7 +65,16 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
     cancel_subscriber_ = node_.subscribe("cancel", kQueueSize, &SteadyActionServer::onCancel, this);
   }
 
+  bool isTooLong(const std::string& id) const {
+    if (id.size() <= kLongestId) return false;
+    ROS_WARN_STREAM("A message on " << node_.getNamespace() << " is ignored: its goal id has "
+                                    << id.size() << " characters; expected " << kLongestId
+                                    << " at most.");
+    return true;
+  }
+
   void onGoal(const boost::shared_ptr<const ActionGoal>& goal) {
+    if (isTooLong(goal->goal_id.id)) return;
     {
       const boost::recursive_mutex::scoped_lock lock(this->lock_);
       if (this->last_cancel_ > ros::Time::now()) this->last_cancel_ = ros::Time();
@@ -68,7 +83,10 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
   }
 
   void onCancel(const boost::shared_ptr<const actionlib_msgs::GoalID>& id) {
-    this->cancelCallback(id);
+    if (isTooLong(id->id)) return;
+    const auto present = boost::make_shared<actionlib_msgs::GoalID>(*id);
+    present->stamp = std::min(id->stamp, ros::Time::now());
+    this->cancelCallback(present);
   }
 
   void publishResult(const Status& status, const Result& result) override {

@@ -1,5 +1,6 @@
 #include "ros_interface/executor/execute_action.h"
 
+#include <ros/callback_queue.h>
 #include <ros/console.h>
 
 #include <exception>
@@ -14,30 +15,44 @@ constexpr double kFeedbackPeriod_s = 0.2;
 
 using Result = hexapod_repertoire::ExecuteBehaviorResult;
 
+Result cancelledEarly() {
+  Result result;
+  result.code = Result::PREEMPTED;
+  result.message = "Cancelled before it arrived.";
+  return result;
+}
+
 }  // namespace
 
-ExecuteAction::ExecuteAction(ros::NodeHandle& node, SharedExecutor& executor,
-                             const RealtimeLoop& loop, const RobotDescription& robot,
+ExecuteAction::ExecuteAction(ros::NodeHandle& node, const Means& means,
                              const BehaviorOptions& options)
-    : executor_(executor),
-      loop_(loop),
-      behaviors_(robot, options),
-      joint_names_(robot.jointNames()),
+    : executor_(means.executor),
+      loop_(means.loop),
+      behaviors_(means.robot, options),
+      publisher_([&master = means.master, topic = node.resolveName(names::kRepertoire)] {
+        return master.otherPublishers(topic);
+      }),
+      joint_names_(means.robot.jointNames()),
       period_s_(options.command_period_s),
-      server_(node, names::kExecute, false) {
-  server_.registerGoalCallback([this](Goal goal) { onGoal(goal); });
-  server_.registerCancelCallback([this](Goal goal) { onCancel(goal); });
+      server_(
+          node, names::kExecute, *ros::getGlobalCallbackQueue(),
+          [this](Goal goal) { onGoal(goal); }, [this](Goal goal) { onCancel(goal); },
+          cancelledEarly()) {
   repertoire_subscriber_ =
       node.subscribe(names::kRepertoire, 1, &ExecuteAction::onRepertoire, this);
   server_.start();
 }
 
-void ExecuteAction::onRepertoire(const hexapod_repertoire::Repertoire::ConstPtr& message) {
-  const std::string problem = behaviors_.update(*message);
+void ExecuteAction::onRepertoire(
+    const ros::MessageEvent<hexapod_repertoire::Repertoire const>& event) {
+  const auto message = event.getConstMessage();
+  std::string problem = publisher_.whyRefused(event.getPublisherName());
+  if (problem.empty()) problem = behaviors_.update(*message);
   if (!problem.empty()) {
     ROS_ERROR_STREAM(problem);
     return;
   }
+  publisher_.use(event.getPublisherName());
   ROS_INFO_STREAM("Playing from run '" << message->run_id << "', " << behaviors_.entryCount()
                                        << " entries.");
 }

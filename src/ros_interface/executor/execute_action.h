@@ -1,6 +1,6 @@
 #pragma once
 
-#include <actionlib/server/action_server.h>
+#include <ros/message_event.h>
 #include <ros/node_handle.h>
 
 #include <cstdint>
@@ -10,20 +10,30 @@
 
 #include "execution/shared_executor.h"
 #include "hexapod_repertoire/ExecuteBehaviorAction.h"
+#include "ros_interface/common/first_publisher.h"
+#include "ros_interface/common/master_watch.h"
 #include "ros_interface/common/realtime_loop.h"
+#include "ros_interface/common/steady_action_server.h"
 #include "ros_interface/executor/playable_behaviors.h"
 
 namespace hexapod {
 
-/// The action `execute` and the topic `repertoire` it plays from.
+/// The action `execute` and the topic `repertoire` it plays from: of several nodes that publish
+/// one, from the first one's.
 ///
 /// One behaviour at a time: a goal that comes while one is played is rejected, not queued, and does
 /// not disturb it. Used by the thread of the global callback queue, which also calls poll().
 class ExecuteAction {
  public:
-  /// The references must outlive it.
-  ExecuteAction(ros::NodeHandle& node, SharedExecutor& executor, const RealtimeLoop& loop,
-                const RobotDescription& robot, const BehaviorOptions& options);
+  /// What it works with; must outlive it.
+  struct Means {
+    SharedExecutor& executor;
+    const RealtimeLoop& loop;
+    const MasterWatch& master;  ///< of the topic `repertoire` among others
+    const RobotDescription& robot;
+  };
+
+  ExecuteAction(ros::NodeHandle& node, const Means& means, const BehaviorOptions& options);
 
   /// Ends the goal when its behaviour has ended, and publishes feedback now and then.
   void poll(const ExecutorStatus& status);
@@ -34,11 +44,11 @@ class ExecuteAction {
   std::size_t entryCount() const { return behaviors_.entryCount(); }
 
  private:
-  using Server = actionlib::ActionServer<hexapod_repertoire::ExecuteBehaviorAction>;
+  using Server = SteadyActionServer<hexapod_repertoire::ExecuteBehaviorAction>;
   using Goal = Server::GoalHandle;
   using Result = hexapod_repertoire::ExecuteBehaviorResult;
 
-  void onRepertoire(const hexapod_repertoire::Repertoire::ConstPtr& message);
+  void onRepertoire(const ros::MessageEvent<hexapod_repertoire::Repertoire const>& event);
   void onGoal(Goal goal);
   void onCancel(Goal goal);
   void reject(Goal& goal, std::uint8_t code, const std::string& message);
@@ -47,6 +57,7 @@ class ExecuteAction {
   SharedExecutor& executor_;
   const RealtimeLoop& loop_;
   PlayableBehaviors behaviors_;
+  FirstPublisher publisher_;
   std::vector<std::string> joint_names_;
   double period_s_;
   Goal goal_;

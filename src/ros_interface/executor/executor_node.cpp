@@ -37,8 +37,9 @@ std::int64_t periodOf(const BehaviorOptions& options) {
   return std::llround(options.command_period_s * 1e9);
 }
 
-std::vector<std::string> topicsOf(const CommandSender& sender) {
-  std::vector<std::string> topics;
+// On these another publisher matters.
+std::vector<std::string> topicsToWatch(const ros::NodeHandle& node, const CommandSender& sender) {
+  std::vector<std::string> topics{node.resolveName(names::kRepertoire)};
   for (const ros::Publisher& publisher : sender.publishers())
     topics.push_back(publisher.getTopic());
   return topics;
@@ -64,8 +65,8 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
       emergency_stop_(node, private_node, executor_, options.realtime),
       feedback_(node, executor_, map_, options.executor.feedback_timeout_s, clock_),
       services_(private_node, executor_, feedback_, robot_.jointNames()),
-      action_(node, executor_, loop_, robot_, options.behavior),
-      master_(topicsOf(*sender_)),
+      master_(topicsToWatch(node, *sender_)),
+      action_(node, {executor_, loop_, master_, robot_}, options.behavior),
       reports_(private_node,
                {executor_, *sender_, feedback_, services_, emergency_stop_, master_, loop_},
                robot_.jointNames()) {

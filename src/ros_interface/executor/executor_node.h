@@ -52,8 +52,8 @@ class ExecutorNode {
   EmergencyStop emergency_stop_;
   JointFeedback feedback_;
   ExecutorServices services_;
-  ExecuteAction action_;
   MasterWatch master_;
+  ExecuteAction action_;
   ExecutorReports reports_;
   ros::Subscriber reset_subscriber_;
 };

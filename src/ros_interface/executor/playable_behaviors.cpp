@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace hexapod {
 namespace {
@@ -24,19 +25,28 @@ PlayableBehaviors::PlayableBehaviors(const RobotDescription& robot, const Behavi
 }
 
 std::string PlayableBehaviors::update(const hexapod_repertoire::Repertoire& message) {
-  genomes_.clear();
+  Genomes genomes;
+  std::string problem = mismatch(message);
+  if (problem.empty()) problem = readEntries(message, genomes);
+  const bool is_first = !problem_.empty();
+  if (!problem.empty()) {
+    if (is_first) problem_ = problem;
+    return problem + (is_first ? "" : " The earlier repertoire stays in use.");
+  }
+  genomes_ = std::move(genomes);
   run_id_ = message.run_id;
-  problem_ = mismatch(message);
-  if (!problem_.empty()) return problem_;
+  problem_.clear();
+  return "";
+}
+
+std::string PlayableBehaviors::readEntries(const hexapod_repertoire::Repertoire& message,
+                                           Genomes& genomes) const {
   for (const hexapod_repertoire::RepertoireEntry& entry : message.entries) {
     const Genome genome(entry.genome.begin(), entry.genome.end());
     const std::string illegal = checkGenome(genome);
-    if (!illegal.empty() || entry.id < 0 || !genomes_.emplace(entry.id, genome).second) {
-      problem_ = "Entry " + std::to_string(entry.id) + " of the repertoire is refused: " +
-                 (illegal.empty() ? "its id is negative or occurs twice." : illegal);
-      genomes_.clear();
-      return problem_;
-    }
+    if (illegal.empty() && entry.id >= 0 && genomes.emplace(entry.id, genome).second) continue;
+    return "Entry " + std::to_string(entry.id) + " of the repertoire is refused: " +
+           (illegal.empty() ? "its id is negative or occurs twice." : illegal);
   }
   return "";
 }

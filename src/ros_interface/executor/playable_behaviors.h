@@ -20,7 +20,7 @@ class PlayableBehaviors {
   PlayableBehaviors(const RobotDescription& robot, const BehaviorOptions& options);
 
   /// Takes over a repertoire, or returns a sentence why it does not fit: another robot, joints or
-  /// duration, illegal entries. A repertoire that does not fit leaves none to play from.
+  /// duration, illegal entries. Refused, the one before stays in use.
   std::string update(const hexapod_repertoire::Repertoire& message);
 
   /// The behaviour of a goal; nullptr with a sentence in `problem` when it names none.
@@ -30,15 +30,18 @@ class PlayableBehaviors {
   std::size_t entryCount() const { return genomes_.size(); }
 
  private:
+  using Genomes = std::unordered_map<std::int64_t, Genome>;
+
   std::string mismatch(const hexapod_repertoire::Repertoire& message) const;
+  std::string readEntries(const hexapod_repertoire::Repertoire& message, Genomes& genomes) const;
   std::string checkGenome(const Genome& genome) const;
 
   const RobotDescription& robot_;
   BehaviorOptions options_;
   double duration_s_;
   std::string run_id_;
-  std::string problem_;  // of the last repertoire
-  std::unordered_map<std::int64_t, Genome> genomes_;
+  std::string problem_;  // why there is none
+  Genomes genomes_;
 };
 
 }  // namespace hexapod

@@ -8,7 +8,6 @@
 #include <ros/subscriber.h>
 #include <std_srvs/Trigger.h>
 #include <tf2/buffer_core.h>
-#include <tf2_ros/transform_listener.h>
 
 #include <atomic>
 #include <memory>
@@ -25,6 +24,7 @@
 #include "ros_interface/planner/service_doors.h"
 #include "ros_interface/planner/simulated_paths.h"
 #include "ros_interface/planner/tf_pose_source.h"
+#include "ros_interface/planner/transform_ears.h"
 #include "ros_interface/planner/twist_door.h"
 #include "ros_interface/planner/walk_display.h"
 #include "ros_interface/planner/walker.h"
@@ -62,7 +62,7 @@ class PlannerNode {
   SystemClock clock_;
   MasterWatch master_;
   tf2::BufferCore buffer_;
-  tf2_ros::TransformListener listener_;
+  TransformEars ears_;
   TfPoseSource poses_;
   ExecutorTopics executor_;
   ros::Publisher belief_publisher_;

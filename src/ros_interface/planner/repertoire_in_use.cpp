@@ -1,6 +1,5 @@
 #include "ros_interface/planner/repertoire_in_use.h"
 
-#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -15,7 +14,7 @@ RepertoireInUse::RepertoireInUse(const PlannerOptions& options, std::string robo
                                  ForesightFor foresight_for, PathsOf paths_of)
     : options_(options),
       robot_id_(std::move(robot_id)),
-      publishers_(std::move(publishers)),
+      publisher_(std::move(publishers)),
       foresight_for_(std::move(foresight_for)),
       paths_of_(std::move(paths_of)) {}
 
@@ -35,11 +34,7 @@ std::string RepertoireInUse::whyRefused(const hexapod_repertoire::Repertoire& me
     return "The repertoire of " + publisher + " was learned for the robot " + message.robot_id +
            ", this one is " + robot_id_ + "; learn one for this robot description.";
   }
-  if (publisher_.empty() || publisher == publisher_) return "";
-  const std::vector<std::string> now = publishers_();
-  if (std::find(now.begin(), now.end(), publisher_) == now.end()) return "";
-  return "Two nodes publish a repertoire: " + publisher_ + " and " + publisher + ". The one of " +
-         publisher_ + " stays in use; stop one of them.";
+  return publisher_.whyRefused(publisher);
 }
 
 RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoire& message,
@@ -60,7 +55,7 @@ RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoir
   } catch (const std::exception& error) {
     return {false, error.what() + kept};
   }
-  publisher_ = publisher;
+  publisher_.use(publisher);
   const std::lock_guard<std::mutex> lock(mutex_);
   planner_ = fresh;
   return {true, "Planning with " + std::to_string(fresh->planner()->usableEntries()) + " of " +

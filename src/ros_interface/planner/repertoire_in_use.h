@@ -9,6 +9,7 @@
 
 #include "hexapod_repertoire/Repertoire.h"
 #include "planning/adaptive_planner.h"
+#include "ros_interface/common/first_publisher.h"
 
 namespace hexapod {
 
@@ -48,10 +49,9 @@ class RepertoireInUse {
 
   PlannerOptions options_;
   std::string robot_id_;
-  std::function<std::vector<std::string>()> publishers_;
+  FirstPublisher publisher_;  // thread of take()
   ForesightFor foresight_for_;
   PathsOf paths_of_;
-  std::string publisher_;  // of the one in use; thread of take()
   mutable std::mutex mutex_;
   std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_
 };

@@ -56,9 +56,26 @@ TEST_F(PlayableBehaviorsTest, RefusesEntriesOfOtherRunsAndUnknownOnes) {
   EXPECT_EQ(problemOf(goal(7, "run")), "");
   EXPECT_NE(problemOf(goal(7, "other")).find("'other'"), std::string::npos);
   EXPECT_NE(problemOf(goal(8, "run")).find("Entry 8"), std::string::npos);
+}
+
+TEST_F(PlayableBehaviorsTest, KeepsTheEarlierOneWhenAMessageIsWrong) {
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  hexapod_repertoire::Repertoire other_robots = repertoire_;
+  other_robots.robot_id = "0123";
+  EXPECT_NE(behaviors_.update(other_robots).find("0123"), std::string::npos);
+  hexapod_repertoire::Repertoire cut = repertoire_;
+  cut.entries.push_back(cut.entries[0]);
+  cut.entries[1].id = 8;
+  cut.entries[1].genome.pop_back();
+  EXPECT_NE(behaviors_.update(cut).find("Entry 8"), std::string::npos);
+  EXPECT_EQ(problemOf(goal(7, "run")), "");
+  EXPECT_EQ(behaviors_.entryCount(), 1u);
+}
+
+TEST_F(PlayableBehaviorsTest, SaysWhyThereIsNothingToPlayFrom) {
   repertoire_.robot_id = "0123";
   EXPECT_NE(behaviors_.update(repertoire_).find("0123"), std::string::npos);
-  EXPECT_NE(problemOf(goal(7, "run")), "") << "nothing is left to play from";
+  EXPECT_NE(problemOf(goal(7, "run")).find("0123"), std::string::npos);
 }
 
 TEST(ExecutorNodeOptions, TheVelocityLimitIsNoOptionOfTheExecutor) {
