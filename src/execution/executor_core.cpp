@@ -25,7 +25,7 @@ ExecutorCore::ExecutorCore(const RobotDescription& robot, const BehaviorOptions&
       gate_(robot, behavior.command_period_s, options.gate),
       ramp_(robot),
       target_(neutral_),
-      watch_(neutral_, period_s_, options),
+      watch_(robot, period_s_, options),
       last_slot_(kNoSlot) {}
 
 Cause ExecutorCore::arm() {
@@ -144,7 +144,7 @@ void ExecutorCore::passTime(std::int64_t slot) {
   if (last_slot_ != kNoSlot && sendsCommands(status_.mode)) countSkipped(slot);
   if (slot != last_slot_ + 1) gate_.rest();
   last_slot_ = slot;
-  watch_.passTick();
+  watch_.passTick(status_);
   if (ticks_since_heartbeat_ >= 0) ++ticks_since_heartbeat_;
 }
 
@@ -171,6 +171,7 @@ bool ExecutorCore::robotFollows() {
   }
   if (!closedLoop()) return true;
   const Cause problem = watch_.check(gate_.last());
+  status_.doubted_legs = watch_.doubtedLegs();
   if (problem.accepted()) return true;
   endBehavior(problem);
   enter(ExecutorMode::kFault, problem);

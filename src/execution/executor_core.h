@@ -57,8 +57,9 @@ class ExecutorCore {
 
   void feedback(const JointReadings& readings) { watch_.add(readings); }
   /// Joints that are believed dead, one flag per joint: nobody faults because they are not read or
-  /// do not follow. They are commanded as before.
-  void tolerate(const std::vector<char>& joints) { watch_.tolerate(joints); }
+  /// do not follow. They are commanded as before. While somebody `watched` the body, other legs in
+  /// trouble may be doubted first (LegDoubts).
+  void tolerate(const std::vector<char>& dead, bool watched) { watch_.tolerate(dead, watched); }
 
   /// So many commands that tick() gave out were never sent: newer ones overtook them.
   void overtaken(std::uint64_t commands);

@@ -27,6 +27,15 @@ std::vector<Option> declareOptions(ExecutorOptions& options) {
              "How long a joint may be that far off before the executor faults; time within the "
              "tolerance counts against it, since gaits pass through where a stuck joint is.",
              0.0, 60.0),
+      option("max_dead_legs", options.max_dead_legs,
+             "Legs that need not follow or be read because body_belief tells that they are dead, "
+             "or may still tell so; 0: every leg that does not follow is a fault at once.",
+             0, 64),
+      option("belief_patience_s", options.belief_patience_s, "s",
+             "While body_belief comes, a leg that does not follow is waited with until a whole "
+             "behaviour shows what is wrong with it, and so much longer; believed dead by then, "
+             "the walk goes on, else the executor faults.",
+             0.0, 60.0),
       option("sit_signal", options.sit_signal, "",
              "Second control signal (gamma of eq. 3) of every leg in the sitting pose.", -1.0, 1.0),
       option("e_stop_timeout_s", options.e_stop_timeout_s, "s",

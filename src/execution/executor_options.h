@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,11 @@ struct ExecutorOptions {
   double hold_time_s = 0.2;                 ///< last command held when a behaviour is broken off
   double max_tracking_error_rad = 0.5;      ///< 0: not watched
   double tracking_timeout_s = 0.5;          ///< how long a joint may be further off
-  double sit_signal = 1.0;      ///< second control signal of the sitting pose, see sittingPose()
-  double e_stop_timeout_s = 0;  ///< longest silence of the emergency stop's publisher; 0: any
-  bool hold_on_stop = false;    ///< a stop sends one last command: stay where you are
+  std::int64_t max_dead_legs = 2;  ///< legs that may be believed dead or in doubt; 0: none ever
+  double belief_patience_s = 3.0;  ///< for a leg in doubt, after the behaviour that shows it
+  double sit_signal = 1.0;         ///< second control signal of the sitting pose, see sittingPose()
+  double e_stop_timeout_s = 0;     ///< longest silence of the emergency stop's publisher; 0: any
+  bool hold_on_stop = false;       ///< a stop sends one last command: stay where you are
   GateOptions gate;
 };
 

@@ -87,10 +87,11 @@ struct ExecutorStatus {
   std::int64_t first_slot = 0;  ///< command period of the behaviour's first command
   std::int64_t played = 0;      ///< command periods since the behaviour began
   BehaviorEnd last_end;
-  bool holding = false;        ///< stopped, and one last command is still to be sent
-  std::uint64_t commands = 0;  ///< sent since the start
-  std::uint64_t skipped = 0;   ///< left out because the loop or the sending thread was late
-  std::uint64_t clamped = 0;   ///< held back by the gate
+  std::uint64_t doubted_legs = 0;  ///< a bit for each leg whose trouble is no fault yet
+  bool holding = false;            ///< stopped, and one last command is still to be sent
+  std::uint64_t commands = 0;      ///< sent since the start
+  std::uint64_t skipped = 0;       ///< left out because the loop or the sending thread was late
+  std::uint64_t clamped = 0;       ///< held back by the gate
 };
 
 }  // namespace hexapod

@@ -22,20 +22,21 @@ Cause about(Reason reason, int joint, double value_rad = 0.0) {
 
 }  // namespace
 
-FeedbackWatch::FeedbackWatch(const std::vector<double>& pose_rad, double period_s,
+FeedbackWatch::FeedbackWatch(const RobotDescription& robot, double period_s,
                              const ExecutorOptions& options)
     : period_s_(period_s),
       timeout_s_(options.feedback_timeout_s),
       max_tracking_error_rad_(options.max_tracking_error_rad),
       tracking_timeout_s_(options.tracking_timeout_s),
-      measured_(pose_rad),
-      joints_(pose_rad.size()) {}
+      measured_(robot.neutralPose()),
+      joints_(measured_.size()),
+      doubts_(robot, period_s, options) {}
 
-void FeedbackWatch::tolerate(const std::vector<char>& joints) {
+void FeedbackWatch::tolerate(const std::vector<char>& dead, bool watched) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    joints_[j].tolerated = joints[j] != 0;
-    joints_[j].off = 0;
+    if ((dead[j] != 0) != tolerates(j)) joints_[j].off = 0;
   }
+  doubts_.tolerate(dead, watched);
 }
 
 void FeedbackWatch::add(const JointReadings& readings) {
@@ -46,12 +47,13 @@ void FeedbackWatch::add(const JointReadings& readings) {
     joint.count = readings.counts[j];
     joint.age_ticks = 0;
     joint.is_new = true;
-    changed_ = changed_ || (!joint.tolerated && readings.angles_rad[j] != measured_[j]);
+    changed_ = changed_ || (!tolerates(j) && readings.angles_rad[j] != measured_[j]);
     measured_[j] = readings.angles_rad[j];
   }
 }
 
-void FeedbackWatch::passTick() {
+void FeedbackWatch::passTick(const ExecutorStatus& status) {
+  doubts_.passTick(status);
   for (State& joint : joints_) {
     if (joint.age_ticks >= 0) ++joint.age_ticks;
   }
@@ -63,40 +65,58 @@ void FeedbackWatch::forgive() {
     joint.off = 0;
     joint.is_new = false;
   }
+  doubts_.forgive();
   changed_ = true;
 }
 
-int FeedbackWatch::firstStale() const {
+bool FeedbackWatch::isSilent(std::size_t joint) const {
+  const std::int64_t age_ticks = joints_[joint].age_ticks;
+  // A reading that came since the tick before counts as new.
+  return age_ticks < 0 || static_cast<double>(age_ticks - 1) * period_s_ > timeout_s_;
+}
+
+bool FeedbackWatch::isOff(std::size_t joint) const {
+  return static_cast<double>(joints_[joint].off) * period_s_ > tracking_timeout_s_;
+}
+
+int FeedbackWatch::firstFault(bool (FeedbackWatch::*trouble)(std::size_t) const) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
-    const State& joint = joints_[j];
-    if (joint.tolerated) continue;
-    // A reading that came since the tick before counts as new.
-    const double silent_s = static_cast<double>(joint.age_ticks - 1) * period_s_;
-    if (joint.age_ticks < 0 || silent_s > timeout_s_) return static_cast<int>(j);
+    if ((this->*trouble)(j) && !doubts_.excuses(j)) return static_cast<int>(j);
   }
   return -1;
 }
 
+bool FeedbackWatch::someJointIsOff() const {
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    if (isOff(j)) return true;
+  }
+  return false;
+}
+
+// Who is armed knows every joint's angle: nothing is doubted here.
 Cause FeedbackWatch::checkStart() const {
   if (contested_joint_ >= 0) return about(Reason::kTwoSources, contested_joint_);
-  const int stale = firstStale();
-  return stale < 0 ? Cause() : about(Reason::kNoFeedback, stale);
+  for (std::size_t j = 0; j < joints_.size(); ++j) {
+    if (isSilent(j) && !tolerates(j)) return about(Reason::kNoFeedback, static_cast<int>(j));
+  }
+  return {};
 }
 
 Cause FeedbackWatch::check(const std::vector<double>& command_rad) {
   watchChanges(command_rad);
-  const int stale = firstStale();
-  if (stale >= 0) return about(Reason::kFeedbackLost, stale);
+  compare(command_rad);
+  const int silent = firstFault(&FeedbackWatch::isSilent);
+  if (silent >= 0) return about(Reason::kFeedbackLost, silent);
   int moved = -1;
   const int count = movedJoints(moved);
   const double unchanged_s = static_cast<double>(unchanged_ticks_) * period_s_;
-  const Cause tracking = checkTracking(command_rad);
   const bool many =
-      count >= kManyJoints && !tracking.accepted() && unchanged_s > tracking_timeout_s_ / 2.0;
+      count >= kManyJoints && someJointIsOff() && unchanged_s > tracking_timeout_s_ / 2.0;
   if (count > 0 && (many || unchanged_s > timeout_s_ + tracking_timeout_s_)) {
     return about(Reason::kFeedbackFrozen, moved);
   }
-  return tracking;
+  const int off = firstFault(&FeedbackWatch::isOff);
+  return off < 0 ? Cause() : about(Reason::kNotFollowing, off, joints_[off].off_rad);
 }
 
 void FeedbackWatch::watchChanges(const std::vector<double>& command_rad) {
@@ -105,7 +125,7 @@ void FeedbackWatch::watchChanges(const std::vector<double>& command_rad) {
     State& joint = joints_[j];
     if (changed_) joint.commanded_rad = command_rad[j];
     const bool far = std::abs(command_rad[j] - joint.commanded_rad) > kMoved_rad;
-    joint.moved = !changed_ && !joint.tolerated && (joint.moved || far);
+    joint.moved = !changed_ && !tolerates(j) && (joint.moved || far);
     moved = moved || joint.moved;
   }
   unchanged_ticks_ = moved ? unchanged_ticks_ + 1 : 0;
@@ -123,23 +143,20 @@ int FeedbackWatch::movedJoints(int& first) const {
   return count;
 }
 
-Cause FeedbackWatch::checkTracking(const std::vector<double>& command_rad) {
-  Cause problem;
+// How long each joint has been off its command.
+void FeedbackWatch::compare(const std::vector<double>& command_rad) {
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     State& joint = joints_[j];
     ++joint.unjudged;
     if (!joint.is_new) continue;
     joint.is_new = false;
-    const double off_rad = std::abs(measured_[j] - command_rad[j]);
+    joint.off_rad = std::abs(measured_[j] - command_rad[j]);
     // A slow driver's reading stands for all the ticks since the one before.
-    const bool off = off_rad > max_tracking_error_rad_;
+    const bool off = joint.off_rad > max_tracking_error_rad_;
     joint.off = std::max<std::int64_t>(0, joint.off + (off ? joint.unjudged : -joint.unjudged));
     joint.unjudged = 0;
-    if (max_tracking_error_rad_ <= 0.0 || joint.tolerated) joint.off = 0;
-    if (static_cast<double>(joint.off) * period_s_ <= tracking_timeout_s_) continue;
-    problem = about(Reason::kNotFollowing, static_cast<int>(j), off_rad);
+    if (max_tracking_error_rad_ <= 0.0 || tolerates(j)) joint.off = 0;
   }
-  return problem;
 }
 
 }  // namespace hexapod

@@ -31,15 +31,16 @@ Cause SharedExecutor::disarm() {
   return cause;
 }
 
-Cause SharedExecutor::tolerate(const std::vector<std::size_t>& joints) {
+Cause SharedExecutor::tolerate(const JointTolerance& tolerance) {
   std::vector<char> flags(feedback_.value().counts.size(), 0);
-  for (const std::size_t joint : joints) flags.at(joint) = 1;
+  for (const std::size_t joint : tolerance.dead) flags.at(joint) = 1;
   Request request{Request::kTolerate};
-  request.tolerated = &flags;
+  request.dead = &flags;
+  request.watched = tolerance.watched;
   const Cause cause = ask(request);
   if (!cause.accepted()) return cause;
   const std::lock_guard<std::mutex> lock(tolerated_mutex_);
-  tolerated_ = joints;
+  tolerated_ = tolerance.dead;
   return cause;
 }
 
@@ -122,7 +123,7 @@ Cause SharedExecutor::carryOut(const Request& request) {
     case Request::kCancel:
       return core_.cancel(request.why);
     case Request::kTolerate:
-      core_.tolerate(*request.tolerated);
+      core_.tolerate(*request.dead, request.watched);
       return {};
   }
   return {Reason::kNoAnswer};

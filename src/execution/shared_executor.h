@@ -8,6 +8,7 @@
 
 #include "execution/command_mailbox.h"
 #include "execution/executor_core.h"
+#include "execution/leg_doubts.h"
 #include "execution/triple_buffer.h"
 
 namespace hexapod {
@@ -37,8 +38,8 @@ class SharedExecutor {
     return ask({Request::kStart, Reason::kNone, &behavior, entry_id});
   }
   Cause cancel(Reason why) { return ask({Request::kCancel, why}); }
-  /// `joints`: indices of those believed dead; replaces the list before.
-  Cause tolerate(const std::vector<std::size_t>& joints);
+  /// Replaces what was tolerated before.
+  Cause tolerate(const JointTolerance& tolerance);
   /// @}
 
   /// When these return, nothing is sent any more until arm(), whatever was under way to the sending
@@ -73,7 +74,8 @@ class SharedExecutor {
     Reason why = Reason::kNone;
     const Behavior* behavior = nullptr;
     std::int64_t entry_id = -1;
-    const std::vector<char>* tolerated = nullptr;
+    const std::vector<char>* dead = nullptr;
+    bool watched = false;
     std::uint64_t stops = 0;  // seen when it was made
   };
   enum class Desk { kEmpty, kPosted, kTaken, kAnswered };

@@ -19,7 +19,8 @@ struct JointRange {
 struct WalkedStep {
   Entry entry;
   Pose2 world_from_before, world_from_after;  ///< measured, at rest
-  std::vector<JointRange> joints;  ///< measured, in joint order; empty: there is no feedback
+  /// Measured, in joint order; not finite: this joint was not read; empty: there is no feedback.
+  std::vector<JointRange> joints;
 };
 
 /// What the robot as it is makes of a repertoire, learned while it walks. Planning asks here what

@@ -54,7 +54,10 @@ std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, Walk
 
 Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<bool()>& stop) {
   Decision decision;
-  if (expected_) planner_->observe(expected_->entry, before_, world_from_robot);
+  if (expected_) {
+    planner_->observe(expected_->entry, before_, world_from_robot, joints_);
+  }
+  joints_.clear();
   PlanRequest request;
   request.world_from_start = world_from_robot;
   request.world_from_goal = world_from_goal_;

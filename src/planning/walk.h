@@ -4,6 +4,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "planning/adaptive_planner.h"
 
@@ -64,6 +66,10 @@ class Walk {
     memory_ = {};
   }
 
+  /// How far the joints moved in the behaviour of the last decision, for the next decide() to learn
+  /// from.
+  void noteJoints(std::vector<JointRange> joints) { joints_ = std::move(joints); }
+
   std::int64_t stepsTaken() const { return steps_taken_; }
 
  private:
@@ -78,6 +84,7 @@ class Walk {
   std::int64_t most_steps_ = 0;  // 0 until the first plan
   std::optional<PlannedStep> expected_;
   Pose2 before_;
+  std::vector<JointRange> joints_;  // of expected_
   std::shared_ptr<const Obstacles> obstacles_;
   PlanMemory memory_;  // of the last plan, whose first step is expected_
 };

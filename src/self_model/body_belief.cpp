@@ -24,6 +24,8 @@ constexpr double kMostEvidence = 30.0;
 constexpr double kLeastWeight = -20.0;
 // A joint that moved otherwise than imagined counts at most so much.
 constexpr double kMostOfAJoint = 4.0;
+// A joint of a leg that is gone was read all the same: of one that broke off further down.
+constexpr double kReadThoughMissing = 2.0;
 // Imagined to fall or to touch its own legs, and yet there it stands.
 constexpr double kFailure = -4.0;
 // Bodies this far below the best are not refined, and not more than so many.
@@ -186,22 +188,42 @@ Eigen::Matrix3d BodyBelief::noise() const {
 }
 
 double BodyBelief::logLikelihood(const SeenBehavior& seen, const Imagined& imagined,
-                                 const Eigen::Matrix3d& scatter, double& misfit) const {
+                                 BelievedBody& body) const {
+  double& misfit = body.misfit;
   misfit = kAccident;
   if (imagined.verdict == Verdict::kDiverged) return -kMostEvidence;
   const Pose2 measured = inverse(seen.world_from_before) * seen.world_from_after;
   const Eigen::Vector3d residual = difference(measured, imagined.start_from_end);
-  const Eigen::Matrix3d covariance = scatter + noise();
+  const Eigen::Matrix3d covariance = body.scatter + noise();
   misfit = residual.dot(covariance.inverse() * residual);
   double likelihood = -0.5 * (misfit + std::log(covariance.determinant() / noise().determinant()));
   if (imagined.verdict != Verdict::kWalked) likelihood += kFailure;
-  for (std::size_t j = 0; j < std::min(seen.joints.size(), imagined.joints.size()); ++j) {
-    const double low = (seen.joints[j].min_rad - imagined.joints[j].min_rad);
-    const double high = (seen.joints[j].max_rad - imagined.joints[j].max_rad);
-    const double variance = std::pow(options_.joint_noise_rad, 2);
-    likelihood -= std::min(0.5 * (low * low + high * high) / variance, kMostOfAJoint);
+  return likelihood - evidenceOfJoints(seen, imagined, body.legs);
+}
+
+// What speaks against a body because its joints moved otherwise; they are counted leg by leg.
+double BodyBelief::evidenceOfJoints(const SeenBehavior& seen, const Imagined& imagined,
+                                    const std::vector<LegState>& legs) const {
+  if (seen.joints.size() != imagined.joints.size()) return 0.0;
+  const RobotDescription& robot = imagination_->robot();
+  const double variance = std::pow(options_.joint_noise_rad, 2);
+  double evidence = 0.0;
+  std::size_t j = 0;
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    const bool missing = legs[leg].condition == LegCondition::kMissing;
+    for (std::size_t k = 0; k < robot.legs[leg].segments.size(); ++k, ++j) {
+      const bool read = std::isfinite(seen.joints[j].min_rad);
+      const double low = seen.joints[j].min_rad - imagined.joints[j].min_rad;
+      const double high = seen.joints[j].max_rad - imagined.joints[j].max_rad;
+      if (missing) {
+        evidence += read ? kReadThoughMissing : 0.0;
+      } else {
+        evidence += read ? std::min(0.5 * (low * low + high * high) / variance, kMostOfAJoint)
+                         : kMostOfAJoint;
+      }
+    }
   }
-  return likelihood;
+  return evidence;
 }
 
 void BodyBelief::imagineAll(const SeenBehavior& seen, std::size_t first) {
@@ -211,7 +233,7 @@ void BodyBelief::imagineAll(const SeenBehavior& seen, std::size_t first) {
   }
   for (Imagined& imagined : imagination_->play(seen.genome, questions)) {
     BelievedBody& body = bodies_[imagined_.size()];
-    likelihoods_.push_back(logLikelihood(seen, imagined, body.scatter, body.misfit));
+    likelihoods_.push_back(logLikelihood(seen, imagined, body));
     imagined_.push_back(std::move(imagined));
   }
 }
@@ -256,7 +278,7 @@ void BodyBelief::refine(const SeenBehavior& seen, std::size_t index) {
   const Eigen::Matrix3d scatter = change * change.transpose() + 2.0 * bend * bend.transpose();
   const Eigen::Matrix3d inverse_covariance = (scatter + noise()).inverse();
   body.scatter = scatter;
-  likelihoods_[index] = logLikelihood(seen, imagined_[index], scatter, body.misfit);
+  likelihoods_[index] = logLikelihood(seen, imagined_[index], body);
   if (body.misfit > kAccident) {
     body.covariance = 0.5 * (body.covariance + priorCovariance(share_));
     return;

@@ -35,7 +35,7 @@ struct BelievedBody {
 struct SeenBehavior {
   Genome genome;
   Pose2 world_from_before, world_from_after;
-  std::vector<JointRange> joints;  ///< empty: no feedback
+  std::vector<JointRange> joints;  ///< as in WalkedStep
 };
 
 /// Which body the robot has, from what its behaviours did: a posterior over legs that are intact,
@@ -92,7 +92,9 @@ class BodyBelief {
   void forget();
   void order();
   double logLikelihood(const SeenBehavior& seen, const Imagined& imagined,
-                       const Eigen::Matrix3d& scatter, double& misfit) const;
+                       BelievedBody& body) const;
+  double evidenceOfJoints(const SeenBehavior& seen, const Imagined& imagined,
+                          const std::vector<LegState>& legs) const;
   Eigen::Matrix3d noise() const;
 
   std::shared_ptr<const Imagination> imagination_;

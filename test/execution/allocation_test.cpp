@@ -32,6 +32,7 @@ TEST(SharedExecutor, ATickAllocatesNothing) {
   ExecutorCore core(shippedRobot(), BehaviorOptions(), ExecutorOptions());
   const std::vector<double> measured = shippedRobot().neutralPose();
   WholeRobotDriver driver;
+  const std::vector<char> nobody(measured.size(), 0);
   std::int64_t slot = 0;
   const long before = allocations;
   for (int i = 0; i < 300; ++i) {
@@ -39,6 +40,7 @@ TEST(SharedExecutor, ATickAllocatesNothing) {
     executor.tick(slot, 0);
     core.feedback(driver.read(measured));
     if (i == 0) core.arm();
+    if (i == 50) core.tolerate(nobody, true);
     if (i == 100) core.start(behavior, 1);
     if (i == 150) core.cancel(Reason::kCancelled);
     core.tick(slot++);

@@ -428,7 +428,7 @@ TEST_F(ExecutorCoreTest, IsNotArmedWhileTwoNodesReportAJoint) {
 TEST_F(ExecutorCoreTest, AJointBelievedDeadNeedNeitherFollowNorBeRead) {
   std::vector<char> dead(neutral_.size(), 0);
   dead[0] = dead[1] = 1;
-  core_->tolerate(dead);
+  core_->tolerate(dead, false);
   JointReadings readings = driver_.read(measured_);
   readings.counts[0] = 0;
   core_->feedback(readings);
@@ -449,7 +449,7 @@ TEST_F(ExecutorCoreTest, AJointBelievedDeadNeedNeitherFollowNorBeRead) {
   play();
   EXPECT_EQ(mode(), ExecutorMode::kReady);
   dead[1] = 0;
-  core_->tolerate(dead);
+  core_->tolerate(dead, false);
   for (int i = 0; i < 100 && mode() == ExecutorMode::kReady; ++i) {
     step();
     for (std::size_t j = 1; j < readings.counts.size(); ++j) ++readings.counts[j];

@@ -179,7 +179,7 @@ TEST_F(SharedExecutorUnderWay, TheSendingThreadIsLetGo) {
 }
 
 TEST_F(SharedExecutorUnderWay, SaysWhichJointsItTolerates) {
-  std::thread caller([this] { EXPECT_TRUE(executor_.tolerate({3, 4}).accepted()); });
+  std::thread caller([this] { EXPECT_TRUE(executor_.tolerate({{3, 4}, true}).accepted()); });
   while (executor_.toleratedJoints().empty()) executor_.serve();
   caller.join();
   EXPECT_EQ(executor_.toleratedJoints(), (std::vector<std::size_t>{3, 4}));

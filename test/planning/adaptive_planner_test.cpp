@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "arc_repertoire.h"
+#include "planning/walk.h"
 #include "random_goal.h"
 
 namespace hexapod {
@@ -88,6 +89,20 @@ TEST(AdaptivePlanner, PlansWithWhatIsExpectedAfterAnObservation) {
   const auto after = planner.planner();
   planner.observe(8, Pose2(), Pose2{0.5, 0.0, 0.0});
   EXPECT_EQ(planner.planner(), after);
+}
+
+TEST(AdaptivePlanner, IsToldByAWalkHowFarTheJointsMoved) {
+  const auto foresight = std::make_shared<OnlyForward>();
+  const auto planner =
+      std::make_shared<AdaptivePlanner>(arcRepertoire(300, 1), PlannerOptions(), foresight);
+  Walk walk(planner, {1.5, 0.0, 0.0}, GoalTolerance());
+  const auto first = walk.decide(Pose2());
+  walk.noteJoints({{-0.1, 0.2}});
+  const Pose2 there = first.step->world_from_end;
+  ASSERT_EQ(walk.decide(there).state, WalkState::kStep);
+  EXPECT_EQ(foresight->seen_.joints.size(), 1u);
+  walk.decide(there);
+  EXPECT_TRUE(foresight->seen_.joints.empty()) << "those of the behaviour before";
 }
 
 TEST(AdaptivePlanner, TakesTheRepertoireAtItsWordWithoutAForesight) {

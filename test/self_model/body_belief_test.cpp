@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "walked_body.h"
@@ -16,6 +17,13 @@ std::shared_ptr<const Imagination> imagination(int threads = 1) {
 
 std::string believed(const BodyBelief& belief) {
   return describeLegs(shippedRobot(), belief.bodies().front().legs);
+}
+
+std::size_t legNumber(const std::string& name) {
+  const RobotDescription robot = shippedRobot();
+  std::size_t leg = 0;
+  while (robot.legs.at(leg).name != name) ++leg;
+  return leg;
 }
 
 // Believes what the body does, gait after gait.
@@ -114,6 +122,21 @@ TEST(BodyBelief, LearnsFromFeedbackOfTheJointsWhatABadPoseDoesNotTell) {
   feeling.observe(seen);
   EXPECT_EQ(believed(feeling), "left_middle: locked");
   EXPECT_GT(feeling.probability(0), 0.5);
+}
+
+TEST(BodyBelief, TakesALegWhoseJointsAreNotReadForAMissingOne) {
+  BeliefOptions options;
+  options.measurement_noise_m = 0.3;
+  options.measurement_noise_rad = 1.0;
+  WalkedBody body("right_rear: missing");
+  BodyBelief belief(imagination(), Physics(), options);
+  SeenBehavior seen = body.walk(walkingGaits()[3], options.measurement_noise_m);
+  seen.joints = body.joints();
+  const std::size_t leg = legNumber("right_rear");
+  for (std::size_t k = 0; k < 3; ++k) seen.joints[3 * leg + k] = {NAN, NAN};
+  belief.observe(seen);
+  EXPECT_EQ(believed(belief), "right_rear: missing");
+  EXPECT_GT(belief.probability(0), 0.9);
 }
 
 TEST(BodyBelief, IsTheSameForAnyNumberOfThreads) {

@@ -11,6 +11,7 @@ constexpr char kRepertoire[] = "repertoire";
 constexpr char kJointCommand[] = "joint_command";
 constexpr char kJointStates[] = "joint_states";
 constexpr char kRobotReset[] = "robot_reset";
+constexpr char kBodyBelief[] = "body_belief";
 constexpr char kExecutorState[] = "executor/state";
 
 // Actions.

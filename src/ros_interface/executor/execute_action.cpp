@@ -26,8 +26,7 @@ Result cancelledEarly() {
 
 ExecuteAction::ExecuteAction(ros::NodeHandle& node, const Means& means,
                              const BehaviorOptions& options)
-    : executor_(means.executor),
-      loop_(means.loop),
+    : means_(means),
       behaviors_(means.robot, options),
       publisher_([&master = means.master, topic = node.resolveName(names::kRepertoire)] {
         return master.otherPublishers(topic);
@@ -59,7 +58,7 @@ void ExecuteAction::onRepertoire(
 
 void ExecuteAction::onGoal(Goal goal) {
   // A burst of goals while one is played costs the command loop nothing.
-  const ExecutorMode mode = executor_.status().mode;
+  const ExecutorMode mode = means_.executor.status().mode;
   if (mode != ExecutorMode::kReady) {
     return reject(goal, Result::NOT_READY, sentence({Reason::kNotReady, mode}, joint_names_));
   }
@@ -71,14 +70,15 @@ void ExecuteAction::onGoal(Goal goal) {
     problem = error.what();
   }
   if (!behavior) return reject(goal, Result::INVALID_GOAL, problem);
-  const Cause cause = executor_.start(*behavior, goal.getGoal()->entry_id);
+  const Cause cause = means_.executor.start(*behavior, goal.getGoal()->entry_id);
   if (!cause.accepted()) {
     return reject(goal, Result::NOT_READY, sentence(cause, joint_names_));
   }
+  means_.feedback.ranges().begin();
   goal.setAccepted();
   goal_ = goal;
   playing_ = true;
-  serial_ = executor_.status().serial;
+  serial_ = means_.executor.status().serial;
   behavior_ = behavior;
   next_feedback_s_ = 0.0;
 }
@@ -86,7 +86,7 @@ void ExecuteAction::onGoal(Goal goal) {
 void ExecuteAction::onCancel(Goal goal) {
   if (!playing_ || !(goal == goal_)) return;
   // A behaviour that has just come to its end is not broken off any more; poll() tells.
-  executor_.cancel(Reason::kCancelled);
+  means_.executor.cancel(Reason::kCancelled);
 }
 
 void ExecuteAction::reject(Goal& goal, std::uint8_t code, const std::string& message) {
@@ -111,7 +111,11 @@ void ExecuteAction::poll(const ExecutorStatus& status) {
 
 void ExecuteAction::finish(const BehaviorEnd& end) {
   Result result = behaviorResult(end, behavior_->commandCount(), joint_names_);
-  result.finished = loop_.stamp(end.last_slot);
+  result.finished = means_.loop.stamp(end.last_slot);
+  if (!means_.feedback.topic().empty()) {
+    result.joint_min_rad = means_.feedback.ranges().min_rad();
+    result.joint_max_rad = means_.feedback.ranges().max_rad();
+  }
   playing_ = false;
   behavior_.reset();
   if (result.code == Result::SUCCEEDED) {

@@ -14,6 +14,7 @@
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/common/realtime_loop.h"
 #include "ros_interface/common/steady_action_server.h"
+#include "ros_interface/executor/joint_feedback.h"
 #include "ros_interface/executor/playable_behaviors.h"
 
 namespace hexapod {
@@ -29,6 +30,7 @@ class ExecuteAction {
   struct Means {
     SharedExecutor& executor;
     const RealtimeLoop& loop;
+    JointFeedback& feedback;
     const MasterWatch& master;  ///< of the topic `repertoire` among others
     const RobotDescription& robot;
   };
@@ -54,8 +56,7 @@ class ExecuteAction {
   void reject(Goal& goal, std::uint8_t code, const std::string& message);
   void finish(const BehaviorEnd& end);
 
-  SharedExecutor& executor_;
-  const RealtimeLoop& loop_;
+  Means means_;
   PlayableBehaviors behaviors_;
   FirstPublisher publisher_;
   std::vector<std::string> joint_names_;

@@ -64,12 +64,14 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
       loop_({periodOf(options.behavior), options.realtime}, clock_, loopCallbacks()),
       emergency_stop_(node, private_node, executor_, options.realtime),
       feedback_(node, executor_, map_, options.executor.feedback_timeout_s, clock_),
+      belief_(node, executor_, robot_, options.executor.max_dead_legs, clock_),
       services_(private_node, executor_, feedback_, robot_.jointNames()),
       master_(topicsToWatch(node, *sender_)),
-      action_(node, {executor_, loop_, master_, robot_}, options.behavior),
-      reports_(private_node,
-               {executor_, *sender_, feedback_, services_, emergency_stop_, master_, loop_},
-               robot_.jointNames()) {
+      action_(node, {executor_, loop_, feedback_, master_, robot_}, options.behavior),
+      reports_(
+          private_node,
+          {executor_, *sender_, feedback_, belief_, services_, emergency_stop_, master_, loop_},
+          robot_) {
   reset_subscriber_ = node.subscribe(names::kRobotReset, 1, &ExecutorNode::onReset, this,
                                      ros::TransportHints().tcpNoDelay());
 }

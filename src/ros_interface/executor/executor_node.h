@@ -9,6 +9,7 @@
 #include "robot/robot_description.h"
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/common/realtime_loop.h"
+#include "ros_interface/executor/belief_listener.h"
 #include "ros_interface/executor/command_sender.h"
 #include "ros_interface/executor/emergency_stop.h"
 #include "ros_interface/executor/execute_action.h"
@@ -51,6 +52,7 @@ class ExecutorNode {
   RealtimeLoop loop_;
   EmergencyStop emergency_stop_;
   JointFeedback feedback_;
+  BeliefListener belief_;
   ExecutorServices services_;
   MasterWatch master_;
   ExecuteAction action_;

@@ -38,9 +38,10 @@ std::string otherCommanders(const CommandSender& sender, const MasterWatch& mast
 }  // namespace
 
 ExecutorReports::ExecutorReports(const ros::NodeHandle& private_node, const Sources& sources,
-                                 std::vector<std::string> joint_names)
+                                 const RobotDescription& robot)
     : sources_(sources),
-      joint_names_(std::move(joint_names)),
+      joint_names_(robot.jointNames()),
+      body_(robot, sources.executor, sources.belief),
       start_s_(steadyNow_s()),
       next_listener_warning_s_(start_s_ + kListenerPatience_s),
       next_clock_warning_s_(start_s_ + kClockWarnPeriod_s) {
@@ -50,6 +51,7 @@ ExecutorReports::ExecutorReports(const ros::NodeHandle& private_node, const Sour
   updater_.add("state", this, &ExecutorReports::reportState);
   updater_.add("commands", this, &ExecutorReports::reportCommands);
   updater_.add("feedback", this, &ExecutorReports::reportFeedback);
+  updater_.add("belief", &body_, &BodyReport::report);
   updater_.add("e_stop", this, &ExecutorReports::reportEStop);
 }
 
@@ -57,7 +59,9 @@ void ExecutorReports::poll(const ExecutorStatus& status) {
   const ExecutorStatus before = status_;
   status_ = status;
   const double now_s = steadyNow_s();
-  const bool changed = status.mode != before.mode || status.cause.reason != before.cause.reason ||
+  const bool body_changed = body_.poll(status);
+  const bool changed = body_changed || status.mode != before.mode ||
+                       status.cause.reason != before.cause.reason ||
                        status.entry_id != before.entry_id;
   if (changed) logChange(before);
   if (changed || now_s >= next_state_s_) {
@@ -79,7 +83,8 @@ void ExecutorReports::publishState() {
   message.entry_id = status_.entry_id;
   message.commands = status_.commands;
   message.skipped = status_.skipped;
-  message.tolerated_joints = toleratedJoints();
+  message.tolerated_joints = body_.tolerated();
+  message.doubted_joints = body_.doubted();
   state_publisher_.publish(message);
 }
 
@@ -134,14 +139,6 @@ void ExecutorReports::watchPriority() {
                   << std::strerror(refusal)
                   << "), so other programs may make commands late. Allow it (rtprio and memlock in "
                      "/etc/security/limits.conf), or set ~realtime to false.");
-}
-
-std::vector<std::string> ExecutorReports::toleratedJoints() const {
-  std::vector<std::string> names;
-  for (const std::size_t joint : sources_.executor.toleratedJoints()) {
-    names.push_back(joint_names_[joint]);
-  }
-  return names;
 }
 
 void ExecutorReports::watchClock(double now_s) {

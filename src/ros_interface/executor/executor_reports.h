@@ -11,6 +11,8 @@
 #include "execution/executor_status.h"
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/common/realtime_loop.h"
+#include "ros_interface/executor/belief_listener.h"
+#include "ros_interface/executor/body_report.h"
 #include "ros_interface/executor/command_sender.h"
 #include "ros_interface/executor/emergency_stop.h"
 #include "ros_interface/executor/executor_services.h"
@@ -19,15 +21,16 @@
 namespace hexapod {
 
 /// Tells people how the executor is: the latched topic ~state, diagnostics, and log sentences about
-/// changes, a command topic nobody listens to or somebody else publishes on, feedback from two
-/// nodes at once, a clock that does not come, a real-time priority that is refused. Used by one
-/// thread.
+/// changes, joints that are believed dead or in doubt, a command topic nobody listens to or
+/// somebody else publishes on, feedback from two nodes at once, a clock that does not come, a
+/// real-time priority that is refused. Used by one thread.
 class ExecutorReports {
  public:
   struct Sources {
     const SharedExecutor& executor;
     const CommandSender& sender;
     const JointFeedback& feedback;
+    const BeliefListener& belief;
     const ExecutorServices& services;
     const EmergencyStop& emergency_stop;
     const MasterWatch& master;
@@ -36,7 +39,7 @@ class ExecutorReports {
 
   /// The sources must outlive it.
   ExecutorReports(const ros::NodeHandle& private_node, const Sources& sources,
-                  std::vector<std::string> joint_names);
+                  const RobotDescription& robot);
 
   void poll(const ExecutorStatus& status);
 
@@ -49,7 +52,6 @@ class ExecutorReports {
   void watchFeedback();
   void watchClock(double now_s);
   void watchPriority();
-  std::vector<std::string> toleratedJoints() const;
   void reportState(Diagnostics& diagnostics);
   void reportCommands(Diagnostics& diagnostics);
   void reportFeedback(Diagnostics& diagnostics);
@@ -57,6 +59,7 @@ class ExecutorReports {
 
   Sources sources_;
   std::vector<std::string> joint_names_;
+  BodyReport body_;
   ros::Publisher state_publisher_;
   diagnostic_updater::Updater updater_;
   ExecutorStatus status_;

@@ -20,6 +20,7 @@ JointFeedback::JointFeedback(const ros::NodeHandle& node, SharedExecutor& execut
       clock_(clock),
       merger_(map.wireNames(), timeout_s),
       readings_(map.joints().size()),
+      ranges_(map.joints().size()),
       node_(node),
       spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
@@ -68,6 +69,7 @@ void JointFeedback::handOver() {
   readings_.counts = merger_.readings().counts;
   readings_.contested_joint = merger_.readings().contested_joint;
   executor_.feedback(readings_);
+  ranges_.add(readings_);
   const std::lock_guard<std::mutex> lock(mutex_);
   rivals_ = merger_.rivals(readings_.contested_joint);
 }

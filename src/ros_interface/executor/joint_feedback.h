@@ -16,6 +16,7 @@
 #include "execution/joint_map.h"
 #include "execution/shared_executor.h"
 #include "ros_interface/common/clock.h"
+#include "ros_interface/executor/joint_ranges.h"
 
 namespace hexapod {
 
@@ -36,6 +37,8 @@ class JointFeedback {
   std::string rivals() const;
   /// Empty: open loop.
   std::string topic() const { return subscriber_.getTopic(); }
+  /// How far the joints move.
+  JointRanges& ranges() { return ranges_; }
 
  private:
   using Event = ros::MessageEvent<const sensor_msgs::JointState>;
@@ -48,6 +51,7 @@ class JointFeedback {
   const Clock& clock_;
   FeedbackMerger merger_;   // feedback thread
   JointReadings readings_;  // feedback thread; as the robot description counts angles
+  JointRanges ranges_;
   std::atomic<std::uint64_t> received_{0};
   std::atomic<std::uint64_t> refused_{0};
   mutable std::mutex mutex_;

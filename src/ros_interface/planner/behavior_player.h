@@ -5,7 +5,9 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
+#include "planning/foresight.h"
 #include "repertoire/entry.h"
 
 namespace hexapod {
@@ -26,6 +28,7 @@ class BehaviorPlayer {
     std::string message;
     ros::Time finished;         ///< stamp of the last command
     std::uint32_t skipped = 0;  ///< commands that were left out: not the entry's behaviour
+    std::vector<JointRange> joints = {};  ///< as in WalkedStep
   };
   struct Order {
     const Entry& entry;

@@ -62,6 +62,15 @@ BehaviorPlayer::End endOf(const hexapod_repertoire::ExecuteBehaviorActionResult&
                                                  : BehaviorPlayer::End::kFault;
 }
 
+std::vector<JointRange> jointsOf(const hexapod_repertoire::ExecuteBehaviorResult& result) {
+  std::vector<JointRange> joints;
+  if (result.joint_min_rad.size() != result.joint_max_rad.size()) return joints;
+  for (std::size_t j = 0; j < result.joint_min_rad.size(); ++j) {
+    joints.push_back({result.joint_min_rad[j], result.joint_max_rad[j]});
+  }
+  return joints;
+}
+
 }  // namespace
 
 ExecutorClient::ExecutorClient(const Clock& clock, ExecutorWire& wire, std::string name)
@@ -186,7 +195,7 @@ std::optional<BehaviorPlayer::Result> ExecutorClient::ended() const {
   if (!answer_) return std::nullopt;
   const std::string& message = answer_->result.message;
   return Result{endOf(*answer_), message.empty() ? answer_->status.text : message,
-                answer_->result.finished, answer_->result.skipped};
+                answer_->result.finished, answer_->result.skipped, jointsOf(answer_->result)};
 }
 
 void ExecutorClient::onState(const State& state) {

@@ -9,12 +9,12 @@
 namespace hexapod {
 namespace {
 
-constexpr char kBeliefTopic[] = "body_belief";
 constexpr char kMapTopic[] = "map";
 constexpr char kUpdateTopic[] = "map_updates";
 // None may be missed; they are taken faster than they come.
 constexpr std::uint32_t kUpdateQueue = 50;
 constexpr double kPoll_s = 0.02;
+constexpr std::int64_t kBeliefPeriod_ns = kSecond_ns;
 constexpr std::int64_t kClockWarnPeriod_ns = 2 * kSecond_ns;
 // Answers on their way to clients.
 constexpr std::int64_t kFarewell_ns = kSecond_ns / 5;
@@ -32,7 +32,8 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       ears_(clock_, buffer_),
       poses_(options_, clock_, buffer_),
       executor_(node, clock_),
-      belief_publisher_(node.advertise<hexapod_repertoire::BodyBelief>(kBeliefTopic, 1, true)),
+      belief_publisher_(
+          node.advertise<hexapod_repertoire::BodyBelief>(names::kBodyBelief, 1, true)),
       self_image_(clock_, robot,
                   [this](const hexapod_repertoire::BodyBelief& belief) {
                     belief_publisher_.publish(belief);
@@ -49,7 +50,8 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
           },
           [this](const hexapod::Repertoire& repertoire) { return paths_.known(repertoire); }),
       map_(options_, buffer_, robot ? std::make_optional(sweptFootprint(*robot)) : std::nullopt),
-      display_(node, private_node, clock_, options.global_frame),
+      display_(node, private_node, clock_,
+               {options.global_frame, [this] { return self_image_.told().sentence; }}),
       walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_,
                [this] { return map_.obstacles(); }}),
       actions_(node, goal_queue_, walker_),
@@ -95,6 +97,7 @@ PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {
     poses_.latest();  // keeps an eye on it
     updater_.update();
     watchClock();
+    tellBelief();
     if (!master_.masterIsLost()) continue;
     end = End::kMasterLost;
     break;
@@ -128,6 +131,12 @@ bool PlannerNode::onResetBelief(std_srvs::Trigger::Request&,
   return true;
 }
 
+void PlannerNode::tellBelief() {
+  if (clock_.steadyNow_ns() < next_belief_ns_) return;
+  next_belief_ns_ = clock_.steadyNow_ns() + kBeliefPeriod_ns;
+  self_image_.tellAgain();
+}
+
 void PlannerNode::watchClock() {
   if (!ros::Time::isSimTime() || !clock_.rosNow().isZero()) return;
   if (clock_.steadyNow_ns() < next_clock_warning_ns_) return;
@@ -146,6 +155,11 @@ void PlannerNode::report(diagnostic_updater::DiagnosticStatusWrapper& diagnostic
   if (!planner) diagnostics.mergeSummary(Status::WARN, "No repertoire has arrived.");
   if (!executor.empty()) diagnostics.mergeSummary(Status::WARN, executor);
   if (!pose.empty()) diagnostics.mergeSummary(Status::WARN, pose);
+  const hexapod_repertoire::BodyBelief belief = self_image_.told();
+  if (!belief.dead_joints.empty()) {
+    diagnostics.mergeSummary(Status::WARN, "Walking with a body that is believed damaged.");
+  }
+  if (!belief.sentence.empty()) diagnostics.add("Believed body", belief.sentence);
   if (!planner) return;
   diagnostics.add("Run", planner->repertoire().run_id);
   diagnostics.add("Entries", planner->repertoire().entries.size());

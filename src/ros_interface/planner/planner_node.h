@@ -56,6 +56,7 @@ class PlannerNode {
   void tellOfMap(const std::string& problem);
   void answerAll(End end);
   void watchClock();
+  void tellBelief();
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
   PlannerNodeOptions options_;
@@ -85,6 +86,7 @@ class PlannerNode {
   ros::AsyncSpinner map_spinner_;
   std::string map_problem_;  // told last; thread of map_spinner_
   std::int64_t next_clock_warning_ns_;
+  std::int64_t next_belief_ns_ = 0;
   diagnostic_updater::Updater updater_;
 };
 

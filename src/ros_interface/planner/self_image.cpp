@@ -40,7 +40,7 @@ std::vector<std::string> jointsOutOfOrder(const RobotDescription& robot, const B
 // A self-model that tells what it believes whenever it has seen more.
 class SelfImage::Told : public Foresight {
  public:
-  Told(const SelfImage& image, const LearnedWorld& learned)
+  Told(SelfImage& image, const LearnedWorld& learned)
       : image_(image), self_model_(*image.robot_, learned, SelfModelOptions()) {}
 
   void observe(const WalkedStep& step) override {
@@ -57,10 +57,10 @@ class SelfImage::Told : public Foresight {
     self_model_.forget();
     tell();
   }
-  void tell() const { image_.tell_(image_.beliefOf(self_model_)); }
+  void tell() { image_.tell(image_.beliefOf(self_model_)); }
 
  private:
-  const SelfImage& image_;
+  SelfImage& image_;
   SelfModel self_model_;
 };
 
@@ -76,11 +76,35 @@ std::shared_ptr<Foresight> SelfImage::foresightFor(const Repertoire& repertoire)
   } catch (const std::exception& error) {
     ROS_WARN_STREAM("The robot cannot simulate itself: " << error.what());
   }
-  if (fresh) fresh->tell();
-  const std::lock_guard<std::mutex> lock(mutex_);
-  current_ = fresh;
-  if (fresh) return fresh;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    current_ = fresh;
+  }
+  if (fresh) {
+    fresh->tell();
+    return fresh;
+  }
+  const std::lock_guard<std::mutex> lock(tell_mutex_);
+  told_ = {};
   return std::make_shared<DeviationForesight>();
+}
+
+void SelfImage::tell(const hexapod_repertoire::BodyBelief& belief) {
+  const std::lock_guard<std::mutex> lock(tell_mutex_);
+  told_ = belief;
+  tell_(told_);
+}
+
+hexapod_repertoire::BodyBelief SelfImage::told() const {
+  const std::lock_guard<std::mutex> lock(tell_mutex_);
+  return told_;
+}
+
+void SelfImage::tellAgain() {
+  const std::lock_guard<std::mutex> lock(tell_mutex_);
+  if (told_.sentence.empty()) return;
+  told_.header.stamp = clock_.rosNow();
+  tell_(told_);
 }
 
 std::string SelfImage::forget() {
@@ -98,6 +122,7 @@ hexapod_repertoire::BodyBelief SelfImage::beliefOf(const SelfModel& self_model) 
   const BodyBelief belief = self_model.belief();
   hexapod_repertoire::BodyBelief message;
   message.header.stamp = clock_.rosNow();
+  message.robot_id = robot_->digest;
   for (const LikelyLegs& one : likelyLegs(*robot_, belief)) {
     message.bodies.push_back(one.legs);
     message.probabilities.push_back(one.probability);

@@ -24,10 +24,16 @@ class SelfImage {
   using Tell = std::function<void(const hexapod_repertoire::BodyBelief&)>;
 
   /// `robot`: nothing when only its repertoires are known. `tell` is called after every behaviour,
-  /// from the thread that walks.
+  /// from the thread that walks, and by tellAgain().
   SelfImage(const Clock& clock, std::optional<RobotDescription> robot, Tell tell);
 
   std::shared_ptr<Foresight> foresightFor(const Repertoire& repertoire);
+
+  /// Tells once more, with the time of now: who goes by it shall know that it is still believed.
+  void tellAgain();
+
+  /// What was told last; without a sentence when nothing was.
+  hexapod_repertoire::BodyBelief told() const;
 
   /// Believes what it believed at first. A sentence for the user.
   std::string forget();
@@ -35,11 +41,14 @@ class SelfImage {
  private:
   class Told;
 
+  void tell(const hexapod_repertoire::BodyBelief& belief);
   hexapod_repertoire::BodyBelief beliefOf(const SelfModel& self_model) const;
 
   const Clock& clock_;
   const std::optional<RobotDescription> robot_;
   const Tell tell_;
+  mutable std::mutex tell_mutex_;  // held while telling: nothing old is told after something new
+  hexapod_repertoire::BodyBelief told_;  // guarded by tell_mutex_
   std::mutex mutex_;
   std::shared_ptr<Told> current_;  // of the repertoire in use; null: not simulated
 };

@@ -5,6 +5,7 @@
 #include <visualization_msgs/MarkerArray.h>
 
 #include <cmath>
+#include <utility>
 
 #include "common/text.h"
 #include "hexapod_repertoire/StepReport.h"
@@ -65,9 +66,10 @@ void fillIn(const Pose2& start, const PlanResult& plan, const std::string& frame
 }
 
 WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, const Clock& clock,
-                         const std::string& frame)
+                         Sources sources)
     : clock_(clock),
-      frame_(frame),
+      frame_(std::move(sources.frame)),
+      belief_(std::move(sources.belief)),
       plan_publisher_(node.advertise<nav_msgs::Path>("plan", 1, true)),
       goal_publisher_(node.advertise<geometry_msgs::PoseStamped>("current_goal", 1, true)),
       marker_publisher_(node.advertise<visualization_msgs::MarkerArray>("plan_markers", 1, true)),
@@ -108,6 +110,7 @@ void WalkDisplay::reportStep(const std::string& goal_id, std::uint32_t number,
   report.start = toPose2DMsg(before);
   report.predicted = toPose2DMsg(step.world_from_end);
   report.measured = toPose2DMsg(after);
+  if (belief_) report.belief = belief_();
   report.xy_error_m = distance(step.world_from_end, after);
   report.yaw_error_rad = headingDistance(step.world_from_end, after);
   step_publisher_.publish(report);

@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -25,9 +26,14 @@ void fillIn(const Pose2& start, const PlanResult& plan, const std::string& frame
 /// ~walk_summary.
 class WalkDisplay : public WalkWatcher {
  public:
-  /// `frame` is the frame of every pose that is published. The clock must outlive it.
+  struct Sources {
+    std::string frame;                    ///< of every pose that is published
+    std::function<std::string()> belief;  ///< what is believed of the body, in words; may be empty
+  };
+
+  /// The clock must outlive it.
   WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, const Clock& clock,
-              const std::string& frame);
+              Sources sources);
 
   void showGoal(const Pose2& goal) override;
   void showPlan(const Pose2& start, const PlanResult& plan, const std::vector<Pose2>& walked,
@@ -40,6 +46,7 @@ class WalkDisplay : public WalkWatcher {
  private:
   const Clock& clock_;
   std::string frame_;
+  std::function<std::string()> belief_;
   ros::Publisher plan_publisher_;
   ros::Publisher goal_publisher_;
   ros::Publisher marker_publisher_;

@@ -164,6 +164,7 @@ bool WalkRun::play(const PlannedStep& step) {
   }
   ++report_.steps;
   played_ = step;
+  walk_.noteJoints(result.joints);
   if (result.skipped > 0) {
     walk_.disregardLastStep();
     played_.reset();

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 
 #include "ros_interface/fake_clock.h"
@@ -56,6 +57,8 @@ class ExecutorClientTest : public testing::Test, public ExecutorWire {
     result.result.code = code;
     result.result.skipped = skipped;
     result.result.finished = clock_.rosNow();
+    result.result.joint_min_rad = {-0.1, NAN};
+    result.result.joint_max_rad = {0.2, NAN};
     client_.onResult(result);
   }
   void live() {
@@ -104,6 +107,10 @@ TEST_F(ExecutorClientTest, HasABehaviourPlayedToItsEnd) {
   EXPECT_EQ(goals_.at(0).goal.entry_id, 7);
   EXPECT_EQ(goals_.at(0).goal.run_id, "run");
   EXPECT_FALSE(result.finished.isZero());
+  ASSERT_EQ(result.joints.size(), 2u);
+  EXPECT_EQ(result.joints[0].min_rad, -0.1);
+  EXPECT_EQ(result.joints[0].max_rad, 0.2);
+  EXPECT_TRUE(std::isnan(result.joints[1].min_rad));
   play();
   EXPECT_NE(goals_.at(0).goal_id.id, goals_.at(1).goal_id.id);
 }

@@ -59,6 +59,23 @@ TEST_F(SelfImageTest, TellsWhichLegIsOutOfOrderAndForgetsItWhenAskedTo) {
   EXPECT_EQ(told_[3].behaviors, 0u);
 }
 
+TEST_F(SelfImageTest, TellsAgainWithTheTimeOfNow) {
+  image_.tellAgain();
+  EXPECT_TRUE(told_.empty());
+  EXPECT_EQ(image_.told().sentence, "");
+  const auto foresight = image_.foresightFor(repertoireOf(shippedRobot().digest));
+  clock_.waitUntil(clock_.steadyNow_ns() + kSecond_ns, [] { return false; });
+  image_.tellAgain();
+  ASSERT_EQ(told_.size(), 2u);
+  EXPECT_EQ(told_[1].robot_id, shippedRobot().digest);
+  EXPECT_EQ(told_[1].sentence, told_[0].sentence);
+  EXPECT_EQ((told_[1].header.stamp - told_[0].header.stamp).toSec(), 1.0);
+  EXPECT_EQ(image_.told().sentence, told_[0].sentence);
+  image_.foresightFor(repertoireOf("of another robot"));
+  image_.tellAgain();
+  EXPECT_EQ(told_.size(), 2u) << "nothing is believed any more";
+}
+
 TEST_F(SelfImageTest, TellsNothingOfARobotItCannotSimulate) {
   EXPECT_NE(image_.foresightFor(repertoireOf("of another robot")), nullptr);
   Repertoire odd = repertoireOf(shippedRobot().digest);

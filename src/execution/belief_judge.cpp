@@ -1,0 +1,88 @@
+#include "execution/belief_judge.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <iterator>
+#include <set>
+
+namespace hexapod {
+namespace {
+
+// Three of its periods.
+constexpr std::int64_t kFresh_ns = 3'000'000'000;
+
+}  // namespace
+
+BeliefJudge::BeliefJudge(const RobotDescription& robot, std::int64_t max_dead_legs)
+    : robot_id_(robot.digest), max_dead_legs_(max_dead_legs) {
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    for (const Segment& segment : robot.legs[leg].segments) {
+      joints_.emplace(segment.joint.name, leg_of_joint_.size());
+      leg_of_joint_.push_back(leg);
+    }
+  }
+}
+
+void BeliefJudge::hear(const ToldBelief& told) {
+  for (auto it = heard_.begin(); it != heard_.end();) {
+    it = told.steady_now_ns - it->second.steady_ns > kFresh_ns ? heard_.erase(it) : std::next(it);
+  }
+  Heard heard;
+  heard.steady_ns = told.steady_now_ns;
+  heard.problem = problemWith(told, heard.tolerance);
+  heard_[told.publisher] = std::move(heard);
+}
+
+std::string BeliefJudge::problemWith(const ToldBelief& told, JointTolerance& tolerance) const {
+  const std::string who = "What " + told.publisher + " believes of the body is left out: ";
+  if (told.robot_id != robot_id_) {
+    return who + "it is about the robot " + told.robot_id + ", this one is " + robot_id_ +
+           "; start both nodes with the same robot description.";
+  }
+  const std::int64_t age_ns = told.ros_now_ns - told.stamp_ns;
+  if (std::abs(age_ns) > kFresh_ns) {
+    return who + "it is stamped " + std::to_string(std::abs(age_ns) / 1'000'000) + " ms " +
+           (age_ns > 0 ? "ago" : "from now") +
+           "; expected a fresh stamp. Synchronise the clocks of the machines.";
+  }
+  std::vector<std::size_t> dead;
+  std::set<std::size_t> legs;
+  for (const std::string& name : told.dead_joints) {
+    const auto joint = joints_.find(name);
+    if (joint == joints_.end()) return who + "this robot has no joint '" + name + "'.";
+    dead.push_back(joint->second);
+    legs.insert(leg_of_joint_[joint->second]);
+  }
+  if (static_cast<std::int64_t>(legs.size()) > max_dead_legs_) {
+    return who + std::to_string(legs.size()) + " legs are told dead, max_dead_legs is " +
+           std::to_string(max_dead_legs_) + ".";
+  }
+  std::sort(dead.begin(), dead.end());
+  dead.erase(std::unique(dead.begin(), dead.end()), dead.end());
+  tolerance = {dead, true};
+  return "";
+}
+
+std::vector<std::string> BeliefJudge::talking(std::int64_t steady_now_ns) const {
+  std::vector<std::string> publishers;
+  for (const auto& [publisher, heard] : heard_) {
+    if (steady_now_ns - heard.steady_ns <= kFresh_ns) publishers.push_back(publisher);
+  }
+  return publishers;
+}
+
+JointTolerance BeliefJudge::tolerance(std::int64_t steady_now_ns) const {
+  const std::vector<std::string> publishers = talking(steady_now_ns);
+  if (publishers.size() != 1 || max_dead_legs_ == 0) return {};
+  return heard_.at(publishers.front()).tolerance;
+}
+
+std::string BeliefJudge::problem(std::int64_t steady_now_ns) const {
+  const std::vector<std::string> publishers = talking(steady_now_ns);
+  if (publishers.empty() || max_dead_legs_ == 0) return "";
+  if (publishers.size() == 1) return heard_.at(publishers.front()).problem;
+  return "Two nodes tell what they believe of the body: " + publishers[0] + " and " +
+         publishers[1] + ". Nothing is tolerated while both do; stop one of them.";
+}
+
+}  // namespace hexapod

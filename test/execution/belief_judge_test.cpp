@@ -1,0 +1,87 @@
+#include "execution/belief_judge.h"
+
+#include <gtest/gtest.h>
+
+#include "shipped_robot.h"
+
+namespace hexapod {
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
+class BeliefJudgeTest : public testing::Test {
+ protected:
+  ToldBelief told(std::vector<std::string> dead_joints = {}) const {
+    ToldBelief told;
+    told.publisher = "/planner";
+    told.robot_id = shippedRobot().digest;
+    told.dead_joints = std::move(dead_joints);
+    told.stamp_ns = told.ros_now_ns = 100 * kSecond_ns;
+    told.steady_now_ns = now_ns_;
+    return told;
+  }
+
+  void expectLeftOut(const std::string& because) const {
+    EXPECT_EQ(judge_.tolerance(now_ns_), JointTolerance());
+    EXPECT_NE(judge_.problem(now_ns_).find(because), std::string::npos) << judge_.problem(now_ns_);
+  }
+
+  std::int64_t now_ns_ = 7 * kSecond_ns;
+  BeliefJudge judge_{shippedRobot(), 2};
+};
+
+TEST_F(BeliefJudgeTest, ToleratesTheJointsThatAreToldDead) {
+  EXPECT_EQ(judge_.tolerance(now_ns_), JointTolerance());
+  judge_.hear(told());
+  EXPECT_EQ(judge_.tolerance(now_ns_), (JointTolerance{{}, true}));
+  judge_.hear(told({"leg_1_1_2", "body_leg_1"}));
+  EXPECT_EQ(judge_.tolerance(now_ns_), (JointTolerance{{3, 4}, true}));
+  EXPECT_EQ(judge_.problem(now_ns_), "");
+}
+
+TEST_F(BeliefJudgeTest, ToleratesNothingOnceNobodyTells) {
+  judge_.hear(told({"body_leg_1"}));
+  now_ns_ += 4 * kSecond_ns;
+  EXPECT_EQ(judge_.tolerance(now_ns_), JointTolerance());
+}
+
+TEST_F(BeliefJudgeTest, LeavesOutWhatIsNotAboutThisRobotNow) {
+  ToldBelief other = told();
+  other.robot_id = "another";
+  judge_.hear(other);
+  expectLeftOut("another");
+  judge_.hear(told({"antenna"}));
+  expectLeftOut("'antenna'");
+  ToldBelief recorded = told();
+  recorded.stamp_ns -= 60 * kSecond_ns;
+  judge_.hear(recorded);
+  expectLeftOut("60000 ms ago");
+}
+
+TEST_F(BeliefJudgeTest, LeavesOutMoreLegsThanAllowed) {
+  judge_.hear(told({"body_leg_1", "leg_1_1_2", "body_leg_2"}));
+  EXPECT_EQ(judge_.tolerance(now_ns_).dead.size(), 3u);
+  judge_.hear(told({"body_leg_1", "body_leg_2", "body_leg_3"}));
+  expectLeftOut("3 legs");
+}
+
+TEST_F(BeliefJudgeTest, BelievesNeitherOfTwo) {
+  judge_.hear(told({"body_leg_1"}));
+  ToldBelief rival = told();
+  rival.publisher = "/other";
+  judge_.hear(rival);
+  expectLeftOut("/other and /planner");
+  now_ns_ += 2 * kSecond_ns;
+  judge_.hear(told({"body_leg_1"}));
+  now_ns_ += 2 * kSecond_ns;
+  EXPECT_EQ(judge_.tolerance(now_ns_).dead.size(), 1u) << "the other is gone";
+}
+
+TEST_F(BeliefJudgeTest, ToleratesNothingWhereNothingMayBe) {
+  BeliefJudge strict(shippedRobot(), 0);
+  strict.hear(told());
+  EXPECT_EQ(strict.tolerance(now_ns_), JointTolerance());
+}
+
+}  // namespace
+}  // namespace hexapod
