@@ -13,6 +13,7 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Trigger
 
+from hexapod_repertoire.injury import Damage, Injury
 from hexapod_repertoire.msg import (ExecutorState, LearningProgress, Repertoire, WalkToGoal,
                                     WalkToResult)
 from hexapod_repertoire.pictures import Pose, Walk, save_picture
@@ -148,8 +149,8 @@ def main() -> int:
     rospy.init_node("demo")
     try:
         return demonstrate()
-    except Silence as silence:
-        rospy.logfatal(silence)
+    except (Silence, ValueError) as problem:
+        rospy.logfatal(problem)
         return 1
     except rospy.ROSInterruptException:
         return 1  # the session ended
@@ -158,6 +159,7 @@ def main() -> int:
 def demonstrate() -> int:
     """What main() runs, once there is a node."""
     goals = read_goals()
+    injury = Injury(Damage.from_param("~injury")) if rospy.get_param("~damage", False) else None
     frame = rospy.get_param("~frame", "odom")
     picture = os.path.expanduser(rospy.get_param("~picture_file"))
     rospy.loginfo("Waiting for a validated repertoire.")
@@ -166,7 +168,9 @@ def demonstrate() -> int:
     walker = Walker()
     trail = Trail()
     reports, walks = [], []
-    for goal in goals:
+    for number, goal in enumerate(goals):
+        if injury and number == 1:
+            injury.strike()
         rospy.loginfo("Walking to %s.", pose_text(goal))
         report = walk_to(walker, goal, frame)
         rospy.loginfo(report.response.message)
@@ -178,6 +182,8 @@ def demonstrate() -> int:
         [(e.executed_pose.x, e.executed_pose.y, e.executed_pose.theta) for e in repertoire.entries],
         walks,
     )
+    if injury:
+        print(injury.summary())
     missed = [report for report in reports if not report.reached]
     print(table(reports))
     print(f"{len(reports) - len(missed)} of {len(reports)} goals reached. Picture: {picture}")

@@ -68,3 +68,16 @@ def test_a_value_that_neither_file_nor_argument_gives_is_left_to_the_learner():
     found = learner_params()
     assert found["repertoire_file"].endswith("/.ros/hexapod_repertoire.db")
     assert not {"evaluations", "seed", "threads", "engine", "resume"} & set(found)
+
+
+@pytest.mark.parametrize("file", ["walk.launch", "demo.launch"])
+def test_whatever_is_wrong_with_the_simulated_robot_is_an_argument(file):
+    config = pytest.importorskip("roslaunch.config")
+    wrong = {"disturb_legs": "left_middle: limp, right_rear: missing", "friction_scale": 0.7,
+             "latency_s": 0.03}
+    text = "{" + ", ".join(f"{name}: '{value}'" if isinstance(value, str) else f"{name}: {value}"
+                           for name, value in wrong.items()) + "}"
+    loaded = config.load_config_default([(str(ROOT / "launch" / file), [f"disturbance:={text}"])],
+                                        None, verbose=False)
+    found = {name: loaded.params[f"/simulated_robot/{name}"].value for name in wrong}
+    assert found == wrong

@@ -4,11 +4,13 @@
 #include <ros/init.h>
 
 #include "ros_interface/common/names.h"
+#include "ros_interface/display/body_markers.h"
 #include "simulation/swept_footprint.h"
 
 namespace hexapod {
 namespace {
 
+constexpr char kBodyMarkersTopic[] = "body_markers";
 constexpr char kMapTopic[] = "map";
 constexpr char kUpdateTopic[] = "map_updates";
 // None may be missed; they are taken faster than they come.
@@ -27,6 +29,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                          const PlannerNodeOptions& options,
                          const std::optional<RobotDescription>& robot)
     : options_(options),
+      robot_(robot),
       master_({node.resolveName(names::kRepertoire)}),
       buffer_(ros::Duration(kHistory_s)),
       ears_(clock_, buffer_),
@@ -34,10 +37,9 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       executor_(node, clock_),
       belief_publisher_(
           node.advertise<hexapod_repertoire::BodyBelief>(names::kBodyBelief, 1, true)),
+      body_publisher_(node.advertise<visualization_msgs::MarkerArray>(kBodyMarkersTopic, 1, true)),
       self_image_(clock_, robot,
-                  [this](const hexapod_repertoire::BodyBelief& belief) {
-                    belief_publisher_.publish(belief);
-                  }),
+                  [this](const hexapod_repertoire::BodyBelief& belief) { publishBelief(belief); }),
       paths_(robot),
       repertoire_(
           options.planner, robot ? robot->digest : "",
@@ -135,6 +137,15 @@ void PlannerNode::tellBelief() {
   if (clock_.steadyNow_ns() < next_belief_ns_) return;
   next_belief_ns_ = clock_.steadyNow_ns() + kBeliefPeriod_ns;
   self_image_.tellAgain();
+}
+
+// Called by one thread at a time.
+void PlannerNode::publishBelief(const hexapod_repertoire::BodyBelief& belief) {
+  belief_publisher_.publish(belief);
+  body_publisher_.publish(bodyMarkers(*robot_, belief));
+  if (belief.bodies.front() == believed_body_) return;
+  if (!believed_body_.empty()) ROS_INFO_STREAM("Believed body: " << belief.sentence << ".");
+  believed_body_ = belief.bodies.front();
 }
 
 void PlannerNode::watchClock() {

@@ -57,9 +57,11 @@ class PlannerNode {
   void answerAll(End end);
   void watchClock();
   void tellBelief();
+  void publishBelief(const hexapod_repertoire::BodyBelief& belief);
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
   PlannerNodeOptions options_;
+  std::optional<RobotDescription> robot_;
   SystemClock clock_;
   MasterWatch master_;
   tf2::BufferCore buffer_;
@@ -67,6 +69,8 @@ class PlannerNode {
   TfPoseSource poses_;
   ExecutorTopics executor_;
   ros::Publisher belief_publisher_;
+  ros::Publisher body_publisher_;
+  std::string believed_body_;  // in the log
   SelfImage self_image_;
   SimulatedPaths paths_;
   RepertoireInUse repertoire_;
