@@ -34,7 +34,7 @@ std::string describe(const RobotDescription& robot, const BodyBelief& belief) {
   text << std::setprecision(2);
   for (const LikelyLegs& one : likelyLegs(robot, belief, 0.05)) {
     text << (text.tellp() > 0 ? ", or " : "") << one.legs << " ("
-         << std::round(100.0 * one.probability) << " %)";
+         << std::lround(100.0 * one.probability) << " %)";
   }
   const BelievedBody& best = belief.bodies().front();
   for (int i = 0; i < kBodyParameters; ++i) {
