@@ -16,6 +16,10 @@ constexpr std::size_t kNarrower = 10;
 constexpr std::int64_t kLeastImprovement = 40000;
 // An earlier chain is kept while it costs at most so much more than expected, in behaviours.
 constexpr double kAsExpected = 0.3;
+// A new one may have so many moves more than what is left of the earlier one; but where few are
+// left a better one is soon found.
+constexpr int kLonger = 1;
+constexpr std::size_t kShort = 4;
 
 double largestTurn(const std::vector<Move>& moves) {
   double turn_rad = 0.0;
@@ -31,7 +35,7 @@ BeamSearch::BeamSearch(const PlanningTables& tables, const PlannerOptions& optio
     : tables_(tables),
       options_(options),
       problem_(problem),
-      budget_(options.planning_time_s, problem.stop),
+      budget_(problem.effort * options.planning_time_s, problem.stop),
       tree_(tables, problem),
       finish_(tables, options, problem, tree_, budget_),
       cell_m_(std::clamp(tables.steps_to_go.reach_m() / 12.0, 0.002, 0.05)),
@@ -47,7 +51,7 @@ SearchResult BeamSearch::run() {
     searchLongChains(0, firstWidth(), most_steps);
     budget_.limitTo(finish_.found() ? std::max(budget_.spent(), kLeastImprovement)
                                     : std::numeric_limits<std::int64_t>::max());
-    if (mayImprove()) {
+    if (mayImprove() && !isAsGoodAsEarlier()) {
       searchLongChains(0, widest, finish_.found() ? tree_.steps(finish_.best()) - 1 : most_steps);
     }
     if (mayImprove() && finish_.found()) searchPairsOfPairs();
@@ -87,10 +91,16 @@ bool BeamSearch::keepsEarlier() {
   const std::size_t whole = std::min(nodes.size() - 1, steps - std::min<std::size_t>(steps, 3));
   for (const std::size_t begin : {whole - std::min<std::size_t>(whole, 2), whole / 2}) {
     if (begin == 0 || steps < begin + 4) continue;
-    searchLongChains(nodes[begin], firstWidth(), static_cast<int>(steps));
+    searchLongChains(nodes[begin], firstWidth(), static_cast<int>(steps) + kLonger);
     if (keeps()) return true;
   }
-  return false;
+  return steps > kShort && isAsGoodAsEarlier();
+}
+
+/// Good enough to leave it at that in the middle of a walk.
+bool BeamSearch::isAsGoodAsEarlier() const {
+  return finish_.found() && !problem_.earlier.empty() &&
+         tree_.steps(finish_.best()) <= static_cast<int>(problem_.earlier.size()) + kLonger;
 }
 
 /// Ends a chain with any move and two more.

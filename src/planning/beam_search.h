@@ -55,6 +55,7 @@ class BeamSearch {
   };
 
   bool keepsEarlier();
+  bool isAsGoodAsEarlier() const;
   void exchangeEnd(Index node);
   void searchShortChains();
   void searchLongChains(Index from, std::size_t width, int most_steps);

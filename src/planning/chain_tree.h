@@ -21,6 +21,7 @@ struct SearchProblem {
   double least_clearance_m = 0.0;        ///< of the first move; negative: it leaves the margin
   std::vector<std::size_t> earlier;      ///< chain to keep when it still does
   double earlier_price = 0.0;            ///< that it was expected to have from here
+  double effort = 1.0;                   ///< share of planning_time_s that may be spent
   std::function<bool()> stop;            ///< may be empty
   std::function<void(std::size_t steps)> improved;  ///< may be empty; called at each better plan
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 namespace hexapod {
 namespace {
@@ -24,8 +25,17 @@ Footprint orPoint(Footprint footprint) {
 
 Obstacles::Obstacles(const OccupancyMap& map, const Footprint& footprint,
                      const ObstacleOptions& options)
+    : Obstacles(map, footprint, options,
+                std::make_shared<const DistanceField>(checked(map), options.unknown_is_free)) {
+  ObstacleOptions narrow = options;
+  narrow.footprint_margin_m = std::min(options.footprint_margin_m, options.narrow_margin_m);
+  narrow_ = std::shared_ptr<const Obstacles>(new Obstacles(map, footprint, narrow, field_));
+}
+
+Obstacles::Obstacles(const OccupancyMap& map, const Footprint& footprint,
+                     const ObstacleOptions& options, std::shared_ptr<const DistanceField> field)
     : options_(options),
-      world_from_map_(checked(map).world_from_map),
+      world_from_map_(map.world_from_map),
       cosine_(std::cos(map.world_from_map.yaw_rad)),
       sine_(std::sin(map.world_from_map.yaw_rad)),
       width_m_(map.columns * map.resolution_m),
@@ -33,14 +43,19 @@ Obstacles::Obstacles(const OccupancyMap& map, const Footprint& footprint,
       footprint_(orPoint(footprint).grownBy(options.footprint_margin_m)),
       inner_m_(footprint_.inner_m()),
       offset_m_(footprint_.offset_m()),
-      field_(std::make_shared<const DistanceField>(map, options.unknown_is_free)) {}
+      field_(std::move(field)) {}
 
 Obstacles Obstacles::movedTo(const Pose2& world_from_map) const {
   Obstacles moved = *this;
-  moved.world_from_map_ = world_from_map;
-  moved.cosine_ = std::cos(world_from_map.yaw_rad);
-  moved.sine_ = std::sin(world_from_map.yaw_rad);
+  moved.moveTo(world_from_map);
+  if (narrow_) moved.narrow_ = std::make_shared<const Obstacles>(narrow_->movedTo(world_from_map));
   return moved;
+}
+
+void Obstacles::moveTo(const Pose2& world_from_map) {
+  world_from_map_ = world_from_map;
+  cosine_ = std::cos(world_from_map.yaw_rad);
+  sine_ = std::sin(world_from_map.yaw_rad);
 }
 
 Obstacles::Point Obstacles::mapFromWorld(double x_m, double y_m) const {

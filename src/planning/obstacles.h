@@ -13,6 +13,7 @@ namespace hexapod {
 struct ObstacleOptions {
   bool unknown_is_free = true;       ///< of cells never seen and of everything beyond the map
   double footprint_margin_m = 0.03;  ///< kept between footprint and occupied cells
+  double narrow_margin_m = 0.01;     ///< kept where that leaves no way; at most the other
 };
 
 /// The floor that a robot of some footprint may be on. Immutable; may be read from any thread.
@@ -23,6 +24,9 @@ class Obstacles {
  public:
   /// `footprint` without margin. Throws std::invalid_argument with problemOf(map).
   Obstacles(const OccupancyMap& map, const Footprint& footprint, const ObstacleOptions& options);
+
+  /// The same with narrow_margin_m for the margin.
+  const std::shared_ptr<const Obstacles>& narrow() const { return narrow_; }
 
   /// The same map at another place.
   Obstacles movedTo(const Pose2& world_from_map) const;
@@ -59,6 +63,10 @@ class Obstacles {
  private:
   class Along;
 
+  Obstacles(const OccupancyMap& map, const Footprint& footprint, const ObstacleOptions& options,
+            std::shared_ptr<const DistanceField> field);
+  void moveTo(const Pose2& world_from_map);
+
   double room(double x_m, double y_m, double cosine, double sine) const;
 
   ObstacleOptions options_;
@@ -71,6 +79,7 @@ class Obstacles {
   double inner_m_;
   double offset_m_;
   std::shared_ptr<const DistanceField> field_;
+  std::shared_ptr<const Obstacles> narrow_;  ///< null in one that is narrow itself
 };
 
 }  // namespace hexapod

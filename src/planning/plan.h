@@ -28,6 +28,7 @@ struct PlanMemory {
   double price = 0.0;                ///< of all but the first
   std::shared_ptr<const WayField> ways;
   std::shared_ptr<const WayField> bound;
+  bool is_narrow = false;  ///< planned with ObstacleOptions::narrow_margin_m
 };
 
 /// A question to the planner. All poses are base_footprint in one common frame, here "world".

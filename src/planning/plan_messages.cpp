@@ -47,10 +47,12 @@ std::string describeLength(const PlanResult& result) {
 }
 
 /// "1.2 m in 11.7 s", and the room it keeps among obstacles.
-std::string describeWay(const PlanResult& result) {
+std::string describeWay(const PlanResult& result, const PlanRequest& request) {
   std::string way = text(result.length_m) + " m in " + text(result.duration_s) + " s";
   if (std::isfinite(result.clearance_m)) {
-    way += " keeping " + text(result.clearance_m) + " m beyond the margin";
+    const bool is_narrow = request.obstacles && !request.obstacles->narrow();
+    way += " keeping " + text(result.clearance_m) + " m beyond the " +
+           (is_narrow ? "margin of narrow passages" : "margin");
   }
   return way;
 }
@@ -127,7 +129,8 @@ std::string describe(const PlanResult& result, const PlanRequest& request,
   }
   end += "the goal.";
   if (result.code == PlanCode::kFound) {
-    return describeLength(result) + ", " + describeWay(result) + ", predicted to end " + end;
+    return describeLength(result) + ", " + describeWay(result, request) + ", predicted to end " +
+           end;
   }
   return describeFailure(result, request, options) + "; the nearest pose found is " +
          poseText(result.world_from_end) + ", " + end;

@@ -52,6 +52,15 @@ bool canStandAt(const Obstacles& obstacles, const Pose2& goal, const GoalToleran
   return false;
 }
 
+// Nearly all plans that there are with the whole margin are found with so much of the effort.
+constexpr double kWideEffort = 0.2;
+
+/// Whether a narrower margin may help.
+bool mayBeNarrow(PlanCode code) {
+  return code == PlanCode::kGoalOccupied || code == PlanCode::kBlocked ||
+         code == PlanCode::kUnreachable || code == PlanCode::kTimeout;
+}
+
 WayField::Question questionOf(const PlanRequest& request, const Pose2& target) {
   return {request.obstacles, request.world_from_start, target, request.tolerance.xy_m};
 }
@@ -70,6 +79,23 @@ Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options,
 }
 
 PlanResult Planner::plan(const PlanRequest& request) const {
+  if (!request.obstacles || !request.obstacles->narrow()) return planAmong(request, 1.0);
+  PlanRequest wide = request;
+  wide.goal_policy = GoalPolicy::kRefuse;
+  PlanRequest narrow = wide;
+  narrow.obstacles = request.obstacles->narrow();
+  if (!request.memory.is_narrow) {
+    PlanResult result = planAmong(wide, kWideEffort);
+    if (!mayBeNarrow(result.code) || (request.stop && request.stop())) return result;
+  }
+  PlanResult result = planAmong(narrow, 1.0);
+  result.memory.is_narrow = true;
+  const bool moves_target = request.goal_policy == GoalPolicy::kNearest && !result.success();
+  return moves_target ? planAmong(request, 1.0) : result;
+}
+
+/// With the margin of the request's obstacles.
+PlanResult Planner::planAmong(const PlanRequest& request, double effort) const {
   PlanResult result;
   result.world_from_target = request.world_from_goal;
   result.world_from_end = request.world_from_start;
@@ -86,7 +112,7 @@ PlanResult Planner::plan(const PlanRequest& request) const {
     result.message = noRepertoire(ids_.size());
     return result;
   } else if (!request.obstacles || (standsFree(request, result) && findsWays(request, result))) {
-    search(request, result);
+    search(request, effort, result);
   }
   result.message = describe(result, request, options_);
   return result;
@@ -169,8 +195,9 @@ bool Planner::isFree(const Obstacles& obstacles, const Pose2& world_from_start,
                           std::min(0.0, obstacles.clearance_m(world_from_start)));
 }
 
-void Planner::search(const PlanRequest& request, PlanResult& result) const {
-  const SearchProblem problem = problemOf(request, result);
+void Planner::search(const PlanRequest& request, double effort, PlanResult& result) const {
+  SearchProblem problem = problemOf(request, result);
+  problem.effort = effort;
   const SearchResult found =
       BeamSearch(tables_, options_, problem, boundOf(problem, result.memory.bound.get())).run();
   compose(found.chain, problem.obstacles, result);

@@ -34,6 +34,7 @@ class Planner {
   Planner(const Repertoire& repertoire, const PlannerOptions& options,
           const Deviation& deviation = {}, const EntryPaths& paths = {});
 
+  /// Where the obstacles with their margin leave no plan, one with their narrow margin.
   PlanResult plan(const PlanRequest& request) const;
 
   /// Room along a behaviour that begins at a pose [m], as PlanResult::clearance_m; negative: it
@@ -63,10 +64,11 @@ class Planner {
   std::optional<PlannedStep> nearestStep(const Pose2& start_from_end) const;
 
  private:
+  PlanResult planAmong(const PlanRequest& request, double effort) const;
   bool findsWays(const PlanRequest& request, PlanResult& result) const;
   bool standsFree(const PlanRequest& request, PlanResult& result) const;
   bool movesTarget(const PlanRequest& request, PlanResult& result, PlanCode code) const;
-  void search(const PlanRequest& request, PlanResult& result) const;
+  void search(const PlanRequest& request, double effort, PlanResult& result) const;
   SearchProblem problemOf(const PlanRequest& request, const PlanResult& result) const;
   int boundOf(const SearchProblem& problem, const WayField* bound) const;
   void compose(const std::vector<std::size_t>& chain, const Obstacles* obstacles,

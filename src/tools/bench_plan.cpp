@@ -87,7 +87,7 @@ void measureEmpty(const std::string& name, const Repertoire& repertoire,
                   const GoalTolerance& tolerance, const BenchPlanOptions& options, Report& report) {
   const Planner planner(repertoire, PlannerOptions{});
   const Footprint point;
-  const PlanTrials trials(repertoire, planner, {}, point, 0.0);
+  const PlanTrials trials(repertoire, planner, {}, point);
   const auto seed = static_cast<std::uint64_t>(options.seed);
   const auto tasks = tasksInTheEmpty(static_cast<std::size_t>(options.goals), tolerance, seed);
   report.add(describe(name, runAll(trials, tasks, seed)));
@@ -97,8 +97,7 @@ void measureWorlds(const Repertoire& repertoire, const EntryPaths& paths,
                    const Footprint& footprint, const BenchPlanOptions& options, Report& report) {
   const Planner planner(repertoire, PlannerOptions{}, {}, paths);
   const ObstacleOptions obstacle_options;
-  const PlanTrials trials(repertoire, planner, paths, footprint,
-                          obstacle_options.footprint_margin_m);
+  const PlanTrials trials(repertoire, planner, paths, footprint);
   const auto count = static_cast<std::size_t>(options.world_goals);
   auto seed = static_cast<std::uint64_t>(options.seed);
   std::string failures;
@@ -156,11 +155,14 @@ std::string introduction(const BenchPlanOptions& options, const Repertoire& repe
   return "# Planning, measured\n\n`./run bench plan --seed " + std::to_string(options.seed) +
          " --goals " + std::to_string(options.goals) + " --world_goals " +
          std::to_string(options.world_goals) + " --walks " + std::to_string(options.walks) +
+         (options.csv.empty() ? "" : " --csv " + options.csv) +
          "`, processor time of one core.\n\n" + describeMachine() + "\nRepertoire: run " +
          repertoire.run_id + ", " + std::to_string(repertoire.entries.size()) +
          " entries. Footprint: a disc of " + fixedText(100.0 * footprint.outer_m(), 1) +
          " cm, and a margin of " + fixedText(100.0 * ObstacleOptions{}.footprint_margin_m, 1) +
-         " cm. Worlds of 8 m x 8 m in cells of 5 cm, ten of each kind; start and goal connected "
+         " cm, of " + fixedText(100.0 * ObstacleOptions{}.narrow_margin_m, 1) +
+         " cm through passages that are too narrow for it. Worlds of 8 m x 8 m in cells of 5 cm, "
+         "ten of each kind; start and goal connected "
          "for "
          "the footprint with its margin; plans to 2 cm and 3 degrees, walks to 3 cm and 5 "
          "degrees.\n\n";

@@ -164,14 +164,15 @@ double PlanTrials::clearance_m(const PlanTask& task, const PlanResult& plan) con
     least_m = std::min(least_m, check.clearanceAlong_m(poses, footprint_.discs, kLookAround_m));
     from = step.world_from_end;
   }
-  return least_m - margin_m_;
+  return least_m;
 }
 
 const char* const kPlanHeading =
     "| world | planned | first plan, median / p95 [ms] | whole, median / p99 / max [ms] | "
     "behaviours "
     "| proved "
-    "fewest | behaviours / bound | again, median [ms] | afresh / again | touched | least room [cm] "
+    "fewest | behaviours / bound | again, median [ms] | afresh / again | touched | least room "
+    "beside the footprint [cm] "
     "|\n|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 std::string describe(const std::string& name, const std::vector<PlanTrial>& trials) {

@@ -25,7 +25,7 @@ struct PlanTrial {
   double afresh_s = 0.0;   ///< planning again after the first behaviour, without memory
   double replan_s = 0.0;   ///< with the memory of the plan
   bool replanned = false;  ///< there was a second behaviour to plan again for, and both succeeded
-  double touch_m = 0.0;    ///< smallest clearance that TouchCheck sees; negative: it touches
+  double touch_m = 0.0;    ///< room beside the footprint that TouchCheck sees; negative: it touches
 };
 
 /// Goals in a square of 4 m around the start, any heading.
@@ -46,12 +46,8 @@ class PlanTrials {
  public:
   /// Keeps references.
   PlanTrials(const Repertoire& repertoire, const Planner& planner, const EntryPaths& paths,
-             const Footprint& footprint, double margin_m)
-      : repertoire_(repertoire),
-        planner_(planner),
-        paths_(paths),
-        margin_m_(margin_m),
-        footprint_(footprint) {}
+             const Footprint& footprint)
+      : repertoire_(repertoire), planner_(planner), paths_(paths), footprint_(footprint) {}
 
   PlanTrial run(const PlanTask& task, Random& random) const;
 
@@ -62,7 +58,6 @@ class PlanTrials {
   const Repertoire& repertoire_;
   const Planner& planner_;
   const EntryPaths& paths_;
-  double margin_m_;
   const Footprint& footprint_;
 };
 

@@ -42,6 +42,10 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
   all.push_back(option("footprint_margin_m", options.obstacles.footprint_margin_m, "m",
                        "Room kept between what body and feet sweep and occupied cells.", 0.0,
                        10.0));
+  all.push_back(option("narrow_margin_m", options.obstacles.narrow_margin_m, "m",
+                       "Room kept, instead of footprint_margin_m, by plans through passages that "
+                       "are too narrow for that; at most footprint_margin_m.",
+                       0.0, 10.0));
   all.push_back(option("footprint_radius_m", options.footprint_radius_m, "m",
                        "Radius of what body and feet sweep; 0: that of the robot's description, "
                        "which ~robot_config names.",
