@@ -18,7 +18,6 @@ import walking_session as ws  # noqa: E402
 SEED = 1
 NODES = ws.NODES
 PAUSE_S = 0.004  # between two messages
-ANSWER_TIMEOUT_S = 60.0
 MEMORY_KIB = 12288  # the stack of a thread, which the executor locks, and a half
 # What a node frees it gives back, so that its resident memory is what it uses.
 os.environ.update(MALLOC_ARENA_MAX="1", MALLOC_TRIM_THRESHOLD_="131072",
@@ -89,7 +88,7 @@ class Flood:
         """Puts the session in order and sends the robot somewhere; False when it does not answer."""
         import rospy
         try:
-            self.operator.put_in_order(self.listeners.publish)
+            self.operator.put_in_order(self.listeners)
         except (rospy.ServiceException, AssertionError) as error:
             self.silence = str(error)
             return False
@@ -102,11 +101,7 @@ class Flood:
         if self.silence or self.gone():
             return [self.silence] + [f"the {node} ended with {code}"
                                      for node, code in self.gone().items()]
-        found = []
-        unanswered = self.listeners.unanswered(ANSWER_TIMEOUT_S)
-        if unanswered:
-            found.append(f"{unanswered} calls of services are not answered")
-        found += [f"set-point outside the limits: {text}" for text in set_points.outside[:5]]
+        found = [f"set-point outside the limits: {text}" for text in set_points.outside[:5]]
         for node, kib in self.memory_kib.items():
             growth_kib = kib[-1] - kib[len(kib) // 4]
             if growth_kib > MEMORY_KIB:

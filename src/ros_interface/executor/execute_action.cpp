@@ -35,7 +35,7 @@ ExecuteAction::ExecuteAction(ros::NodeHandle& node, const Means& means,
       period_s_(options.command_period_s),
       server_(
           node, names::kExecute, *ros::getGlobalCallbackQueue(),
-          [this](Goal goal) { onGoal(goal); }, [this](Goal goal) { onCancel(goal); },
+          [this](const Goal& goal) { onGoal(goal); }, [this](const Goal& goal) { onCancel(goal); },
           cancelledEarly()) {
   repertoire_subscriber_ =
       node.subscribe(names::kRepertoire, 1, &ExecuteAction::onRepertoire, this);
@@ -44,7 +44,7 @@ ExecuteAction::ExecuteAction(ros::NodeHandle& node, const Means& means,
 
 void ExecuteAction::onRepertoire(
     const ros::MessageEvent<hexapod_repertoire::Repertoire const>& event) {
-  const auto message = event.getConstMessage();
+  const auto& message = event.getConstMessage();
   std::string problem = publisher_.whyRefused(event.getPublisherName());
   if (problem.empty()) problem = behaviors_.update(*message);
   if (!problem.empty()) {
@@ -83,7 +83,7 @@ void ExecuteAction::onGoal(Goal goal) {
   next_feedback_s_ = 0.0;
 }
 
-void ExecuteAction::onCancel(Goal goal) {
+void ExecuteAction::onCancel(const Goal& goal) {
   if (!playing_ || !(goal == goal_)) return;
   // A behaviour that has just come to its end is not broken off any more; poll() tells.
   means_.executor.cancel(Reason::kCancelled);

@@ -52,7 +52,7 @@ class ExecuteAction {
 
   void onRepertoire(const ros::MessageEvent<hexapod_repertoire::Repertoire const>& event);
   void onGoal(Goal goal);
-  void onCancel(Goal goal);
+  void onCancel(const Goal& goal);
   void reject(Goal& goal, std::uint8_t code, const std::string& message);
   void finish(const BehaviorEnd& end);
 

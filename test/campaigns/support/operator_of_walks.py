@@ -14,6 +14,7 @@ from walking_client import goal_message
 from walking_session import ROOT, wait_for
 
 ARM_TIMEOUT_S = 60.0
+ANSWER_TIMEOUT_S = 60.0
 # A second source of joint_states is remembered so long, and keeps the executor from being armed.
 QUIET_S = 2.1
 UNARMED = (ExecutorState.DISARMED, ExecutorState.STOPPED, ExecutorState.FAULT)
@@ -57,8 +58,13 @@ class Operator:
         x, y, _ = self._client.pose()
         return goal_message(x + self._dice.uniform(-0.3, 0.3), y + self._dice.uniform(-0.3, 0.3), 0)
 
-    def put_in_order(self, publish):
-        """Repairs, releases, forgets, shows a free floor, arms, and sends the robot somewhere."""
+    def put_in_order(self, listeners):
+        """Has all calls answered, repairs, releases, forgets, shows a free floor, arms, and sends the
+        robot somewhere."""
+        self._client.call("planner/cancel")
+        unanswered = listeners.unanswered(ANSWER_TIMEOUT_S)
+        assert not unanswered, f"{unanswered} calls of services are not answered"
+        time.sleep(QUIET_S)
         rospy.ServiceProxy("simulated_robot/pause", SetBool)(False)
         rospy.ServiceProxy("simulated_robot/disturb", Disturb)()
         self._client.call("simulated_robot/reset")
@@ -67,20 +73,20 @@ class Operator:
         free.header.frame_id, free.info.origin.orientation.w = "odom", 1.0
         free.info.resolution, free.info.width, free.info.height = 0.5, 200, 200
         free.info.origin.position.x = free.info.origin.position.y = -50.0
-        publish("/map", free)
-        publish("/e_stop", Bool(False))
-        time.sleep(QUIET_S)
+        listeners.publish("/map", free)
+        listeners.publish("/e_stop", Bool(False))
         self.arm()
         self._client.simple_goal(self._somewhere())
 
     def arm(self):
         """Until it can be sent somewhere."""
-        def is_armed():
+        deadline = time.monotonic() + ARM_TIMEOUT_S
+        answer = ""
+        while self._client.state not in (ExecutorState.READY, ExecutorState.WALKING):
             if self._client.state in UNARMED:
-                self._client.call("executor/arm")
-            return self._client.state in (ExecutorState.READY, ExecutorState.WALKING)
-
-        wait_for(is_armed, ARM_TIMEOUT_S, "the executor to be armed")
+                answer = self._client.call("executor/arm").message
+            assert time.monotonic() < deadline, f"the executor cannot be armed: {answer}"
+            time.sleep(0.02)
 
     def walk(self, timeout_s=90.0):
         """What is wrong with a real goal, "" when it is reached; sent again, as a person would, while
