@@ -83,6 +83,8 @@ SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
       revision_(other.revision_),
       expected_(other.expected_),
       drift_m_(other.drift_m_),
+      residual_(other.residual_),
+      residual_legs_(other.residual_legs_),
       square_m2_(other.square_m2_),
       square_rad2_(other.square_rad2_),
       count_(other.count_) {}
@@ -102,6 +104,7 @@ void SelfModel::forget() {
   const std::lock_guard<std::mutex> lock(mutex_);
   belief_ = first_belief_;
   drift_m_.setZero();
+  residual_ = {};
   behaviors_ = 0;
   ++revision_;
 }
@@ -114,10 +117,20 @@ Eigen::Vector2d SelfModel::drift_m() const {
 void SelfModel::observe(const WalkedStep& step) {
   const std::lock_guard<std::mutex> lock(mutex_);
   learnErrors(step);
-  belief_.observe(seenBy(step));
+  const SeenBehavior seen = seenBy(step);
+  belief_.observe(seen);
+  learnResidual(seen);
   heading_rad_ = step.world_from_after.yaw_rad;
   ++behaviors_;
   ++revision_;
+}
+
+// Of the body that is believed now: what it has just learned of this behaviour is no residual.
+void SelfModel::learnResidual(const SeenBehavior& seen) {
+  const BelievedBody& best = belief_.bodies().front();
+  if (best.legs != residual_legs_) residual_ = {};
+  residual_legs_ = best.legs;
+  residual_.observe(best.imagined.start_from_end, seen.startFromEnd());
 }
 
 void SelfModel::learnErrors(const WalkedStep& step) {
@@ -153,6 +166,7 @@ std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoir
   std::vector<Mixture> ends(genomes.size());
   std::vector<bool> fails(genomes.size(), false);
   const Pose2 heading{0.0, 0.0, heading_rad_};
+  const Deviation residual = residual_.deviation();
   const Pose2 drift = inverse(heading) * Pose2{drift_m_.x(), drift_m_.y(), heading_rad_};
   for (std::size_t b = 0; b < belief_.bodies().size(); ++b) {
     const double probability = belief_.probability(b);
@@ -161,7 +175,7 @@ std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoir
     const std::vector<Outcome> outcomes =
         imagination_->playAll(genomes, {belief_.physicsOf(body), &body.state});
     for (std::size_t i = 0; i < genomes.size(); ++i) {
-      Pose2 end = outcomes[i].end_pose;
+      Pose2 end = residual.apply(outcomes[i].end_pose);
       end.x_m -= drift.x_m;
       end.y_m -= drift.y_m;
       fails[i] = fails[i] || !outcomes[i].walked();

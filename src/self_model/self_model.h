@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "planning/deviation.h"
 #include "planning/foresight.h"
 #include "self_model/body_belief.h"
 #include "self_model/learned_world.h"
@@ -25,7 +26,8 @@ struct SelfModelOptions {
 /// The repertoire is played in the most likely bodies, each from the state in which the last
 /// behaviour is thought to have left it: exact for the next behaviour, as good as any start for
 /// those after it. What fails in a body that is not unlikely is left out. Spreads come from how far
-/// bodies disagree, and from how far the expected end poses were off so far.
+/// bodies disagree, and from how far the expected end poses were off so far. What no body explains,
+/// all behaviours alike, is learned as a Deviation of what the most likely body does.
 class SelfModel : public Foresight {
  public:
   /// With `told`, the robot has that body for sure; nothing is believed, the repertoire is played
@@ -58,6 +60,7 @@ class SelfModel : public Foresight {
   };
 
   void learnErrors(const WalkedStep& step);
+  void learnResidual(const SeenBehavior& seen);
   std::shared_ptr<const Repertoire> imagine(const Repertoire& repertoire);
   void findDrift(const Repertoire& repertoire);
 
@@ -72,6 +75,8 @@ class SelfModel : public Foresight {
   int revision_ = 0;          // of the belief
   Expected expected_;
   Eigen::Vector2d drift_m_ = Eigen::Vector2d::Zero();
+  DeviationEstimator residual_;  // of what a body with residual_legs_ does
+  std::vector<LegState> residual_legs_;
   // Squares of how far expected end poses were off, and their number, fading.
   double square_m2_, square_rad2_, count_;
 };

@@ -6,20 +6,11 @@
 
 #include "common/random.h"
 #include "planning/deviation.h"
-#include "simulation/rollout.h"
 #include "simulation/world_pool.h"
+#include "tools/campaign_walker.h"
 
 namespace hexapod {
 namespace {
-
-// Polar method; the second value is thrown away.
-double normal(Random& random) {
-  for (;;) {
-    const double u = random.uniform(-1.0, 1.0), v = random.uniform(-1.0, 1.0);
-    const double square = u * u + v * v;
-    if (square > 0.0 && square < 1.0) return u * std::sqrt(-2.0 * std::log(square) / square);
-  }
-}
 
 Pose2 randomGoal(Random& random, double radius_m) {
   const double far_m = radius_m * std::sqrt(random.uniform());
@@ -27,100 +18,6 @@ Pose2 randomGoal(Random& random, double radius_m) {
   return {far_m * std::cos(direction_rad), far_m * std::sin(direction_rad),
           random.uniform(-M_PI, M_PI)};
 }
-
-bool isIntact(const std::vector<LegState>& legs) {
-  return std::all_of(legs.begin(), legs.end(),
-                     [](const LegState& leg) { return leg.condition == LegCondition::kIntact; });
-}
-
-bool sameLegs(const std::vector<LegState>& a, const std::vector<LegState>& b) {
-  if (isIntact(a) || isIntact(b)) return isIntact(a) && isIntact(b);
-  return std::equal(
-      a.begin(), a.end(), b.begin(), b.end(),
-      [](const LegState& one, const LegState& other) { return one.condition == other.condition; });
-}
-
-// One robot on its way.
-class Walker {
- public:
-  Walker(World& world, const Repertoire& repertoire, const LearnedWorld& learned,
-         const CampaignOptions& options, std::uint64_t number)
-      : world_(world),
-        repertoire_(repertoire),
-        learned_(learned),
-        options_(options),
-        random_(0x77616c6bu + 7919u * static_cast<std::uint64_t>(options.seed) + number) {}
-
-  GoalWalk walkTo(const Pose2& goal, AdaptivePlanner& planner, const SelfModel* self_model) {
-    GoalWalk walk;
-    world_.restart();
-    PlanRequest request;
-    request.world_from_goal = goal;
-    request.tolerance = {options_.xy_tolerance_m, options_.yaw_tolerance_rad};
-    request.world_from_start = measuredPose();
-    for (;;) {
-      if (arrived(goal)) return ended(walk, GoalWalk::End::kArrived);
-      if (walk.behaviors == options_.max_behaviors) return walk;
-      const PlanResult plan = planner.plan(request);
-      if (plan.steps.empty()) return ended(walk, GoalWalk::End::kNoPlan);
-      const PlannedStep& step = plan.steps.front();
-      const Outcome outcome = playEntry(step.entry);
-      ++walk.behaviors;
-      if (outcome.verdict == Verdict::kSelfCollided) {
-        return ended(walk, GoalWalk::End::kLegsTouched);
-      }
-      if (!outcome.walked()) return ended(walk, GoalWalk::End::kFell);
-      const Pose2 before = request.world_from_start;
-      request.world_from_start = measuredPose();
-      walk.off_m.push_back(distance(step.world_from_end, request.world_from_start));
-      walk.off_rad.push_back(headingDistance(step.world_from_end, request.world_from_start));
-      planner.observe(step.entry, before, request.world_from_start);
-      if (self_model != nullptr) noteBelief(*self_model, walk);
-    }
-  }
-
- private:
-  static GoalWalk ended(GoalWalk walk, GoalWalk::End end) {
-    walk.end = end;
-    return walk;
-  }
-
-  // Of the true pose: a noisy measurement must not decide it.
-  bool arrived(const Pose2& goal) const {
-    const Pose2 pose = footprint(world_.worldFromBase());
-    return distance(pose, goal) <= options_.xy_tolerance_m &&
-           headingDistance(pose, goal) <= options_.yaw_tolerance_rad;
-  }
-
-  Pose2 measuredPose() {
-    Pose2 pose = footprint(world_.worldFromBase());
-    pose.x_m += options_.measurement_noise_m * normal(random_);
-    pose.y_m += options_.measurement_noise_m * normal(random_);
-    pose.yaw_rad = wrapAngle(pose.yaw_rad + options_.measurement_noise_rad * normal(random_));
-    return pose;
-  }
-
-  Outcome playEntry(std::size_t entry) {
-    const Behavior behavior(world_.robot(), canonical(repertoire_.entries[entry].genome),
-                            learned_.behavior);
-    return play(world_, behavior, learned_.behavior.command_period_s);
-  }
-
-  void noteBelief(const SelfModel& self_model, GoalWalk& walk) const {
-    const BodyBelief belief = self_model.belief();
-    const std::vector<LegState>& believed = belief.bodies().front().legs;
-    const bool right = sameLegs(believed, world_.physics().legs);
-    walk.rightly_believed += right ? 1 : 0;
-    if (walk.behaviors == 1) walk.right_after_first = right;
-    if (isIntact(world_.physics().legs) && !isIntact(believed)) walk.false_alarm = true;
-  }
-
-  World& world_;
-  const Repertoire& repertoire_;
-  const LearnedWorld& learned_;
-  const CampaignOptions& options_;
-  Random random_;
-};
 
 std::shared_ptr<Foresight> foresightFor(Adaptation adaptation, const RobotDescription& robot,
                                         const LearnedWorld& learned, const TrueBody& body,
@@ -150,6 +47,23 @@ std::shared_ptr<Foresight> anotherOf(const std::shared_ptr<Foresight>& foresight
   return foresight ? std::make_shared<DeviationForesight>() : nullptr;
 }
 
+// From one goal to the next with one belief. A robot that fell is stood up where it began.
+std::vector<GoalWalk> walkOn(CampaignWalker& walker, const std::vector<Pose2>& goals,
+                             const AdaptivePlanner& planner,
+                             const std::shared_ptr<Foresight>& foresight) {
+  std::vector<GoalWalk> walks;
+  AdaptivePlanner own(planner, foresight);
+  walker.restart();
+  for (const Pose2& goal : goals) {
+    walks.push_back(
+        walker.walkTo(walker.pose() * goal, own, dynamic_cast<const SelfModel*>(foresight.get())));
+    const GoalWalk::End end = walks.back().end;
+    if (end == GoalWalk::End::kFell || end == GoalWalk::End::kLegsTouched) walker.restart();
+  }
+  walks.erase(walks.begin());
+  return walks;
+}
+
 double median(std::vector<double> values) {
   if (values.empty()) return 0.0;
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
@@ -175,6 +89,9 @@ std::vector<Option> declareOptions(CampaignOptions& options) {
              "Standard deviation of measured positions, per axis.", 0.0, 1.0),
       option("measurement_noise_rad", options.measurement_noise_rad, "rad",
              "Standard deviation of measured headings.", 0.0, 1.0),
+      option("keep_belief", options.keep_belief,
+             "Walk from goal to goal, each relative to where the robot stands, with what was "
+             "learned on the way; the first goal is not counted."),
       option("engine", options.engine, "Engine of the world that is walked in.", engineNames()),
   };
 }
@@ -206,15 +123,24 @@ std::vector<GoalWalk> walkToGoals(const RobotDescription& robot, const Repertoir
   }
   WorldPool pool(chooseEngine(options.engine, robot).engine, robot, body.physics,
                  static_cast<int>(options.threads));
-  std::vector<GoalWalk> walks(goals.size());
   const std::shared_ptr<Foresight> foresight =
       foresightFor(adaptation, robot, learned, body, options);
   const AdaptivePlanner planner(repertoire, PlannerOptions(), foresight);
+  if (options.keep_belief) {
+    std::vector<GoalWalk> walks;
+    pool.forEach(1, [&](World& world, std::size_t) {
+      CampaignWalker walker(world, repertoire, learned, options, 0);
+      walks = walkOn(walker, goals, planner, foresight);
+    });
+    return walks;
+  }
+  std::vector<GoalWalk> walks(goals.size());
   pool.forEach(goals.size(), [&](World& world, std::size_t i) {
     const std::shared_ptr<Foresight> fresh = anotherOf(foresight);
     AdaptivePlanner own(planner, fresh);
-    walks[i] = Walker(world, repertoire, learned, options, i)
-                   .walkTo(goals[i], own, dynamic_cast<const SelfModel*>(fresh.get()));
+    CampaignWalker walker(world, repertoire, learned, options, i);
+    walker.restart();
+    walks[i] = walker.walkTo(goals[i], own, dynamic_cast<const SelfModel*>(fresh.get()));
   });
   return walks;
 }

@@ -27,6 +27,7 @@ struct CampaignOptions {
   double measurement_noise_m = 0.0;    ///< standard deviation of a measured position, per axis
   double measurement_noise_rad = 0.0;  ///< and of a measured heading
   std::string engine = "reduced";      ///< of the world that is walked in
+  bool keep_belief = false;            ///< one walk from goal to goal; the first one is not counted
 };
 
 std::vector<Option> declareOptions(CampaignOptions& options);
@@ -53,12 +54,13 @@ struct GoalWalk {
   End end = End::kGivenUp;
   int behaviors = 0;
   std::vector<double> off_m, off_rad;  ///< of the end poses from the predicted ones
-  int rightly_believed = 0;            ///< behaviours after which the most likely legs are the true
+  /// The right legs, in whatever way, are believed out of order after the first behaviour.
   bool right_after_first = false;
   bool false_alarm = false;  ///< of an intact robot: once believed damaged
 };
 
-/// Walks from the stand to every goal, planned anew after each behaviour, in the core without ROS.
+/// Walks from the stand to every goal, planned anew after each behaviour, in the core without ROS;
+/// with keep_belief from one goal to the next, each relative to where the robot stands.
 /// Deterministic, whatever the number of threads.
 std::vector<GoalWalk> walkToGoals(const RobotDescription& robot, const Repertoire& repertoire,
                                   const TrueBody& body, Adaptation adaptation,

@@ -36,7 +36,7 @@ TEST(BodyBelief, BeginsWithAnIntactRobot) {
   const BodyBelief belief(imagination(), Physics(), BeliefOptions());
   EXPECT_EQ(believed(belief), "intact");
   EXPECT_GT(belief.probability(0), 0.7);
-  EXPECT_EQ(belief.bodies().size(), 1u + 12u + 6u * 4u);
+  EXPECT_EQ(belief.bodies().size(), 1u + 24u + 6u * 4u);
 }
 
 TEST(BodyBelief, NamesALiftedLegAfterOneBehaviour) {

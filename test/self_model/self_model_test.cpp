@@ -92,6 +92,36 @@ TEST(SelfModel, LeavesOutWhatFailsInItsBody) {
   }
 }
 
+TEST(SelfModel, LearnsWhatItsBodyDoesNotExplainAndForgetsIt) {
+  const auto known = repertoire();
+  SelfModel self_model(shippedRobot(), LearnedWorld(), oneThread(), Physics());
+  // Everything leads a fifth too far, in a body that is known for sure.
+  const Deviation truth{1.2, 0.0, 1.0, 0.0};
+  const auto nominal = self_model.expected(known);
+  Pose2 pose;
+  for (int i = 0; i < 8; ++i) {
+    const std::size_t k = i % known->entries.size();
+    // Where the body itself is thought to lead from where it stands.
+    WalkedStep step{known->entries[k], pose, pose, {}};
+    SelfModel blind(self_model);
+    blind.observe(step);
+    const Pose2 imagined = blind.belief().bodies().front().imagined.start_from_end;
+    step.world_from_after = pose = pose * truth.apply(imagined);
+    self_model.observe(step);
+  }
+  const auto expected = self_model.expected(known);
+  for (std::size_t k = 0; k < known->entries.size(); ++k) {
+    const double far_m = distance(expected->entries[k].execution->mean, Pose2());
+    EXPECT_NEAR(far_m / distance(nominal->entries[k].execution->mean, Pose2()), 1.2, 0.06);
+  }
+  self_model.forget();
+  const auto again = self_model.expected(known);
+  for (std::size_t k = 0; k < known->entries.size(); ++k) {
+    EXPECT_LT(distance(again->entries[k].execution->mean, nominal->entries[k].execution->mean),
+              0.005);
+  }
+}
+
 TEST(SelfModel, ExpectsTheSameUntilItHasSeenMore) {
   const auto known = repertoire();
   SelfModel self_model(shippedRobot(), LearnedWorld(), oneThread());
