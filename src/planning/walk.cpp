@@ -18,10 +18,11 @@ double extent(const Pose2& a, const Pose2& b) {
 
 Walk::Walk(std::shared_ptr<AdaptivePlanner> planner, const Pose2& world_from_goal,
            const GoalTolerance& tolerance, const WalkOptions& options)
-    : planner_(std::move(planner)),
-      world_from_goal_(world_from_goal),
-      tolerance_(tolerance),
-      options_(options) {}
+    : Walk(std::move(planner), {{world_from_goal, tolerance}}, options) {}
+
+Walk::Walk(std::shared_ptr<AdaptivePlanner> planner, std::vector<Waypoint> route,
+           const WalkOptions& options)
+    : planner_(std::move(planner)), route_(std::move(route)), options_(options) {}
 
 std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, WalkState& state) {
   if (!expected_) return std::nullopt;
@@ -48,8 +49,34 @@ std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, Walk
                                     poseText(expected_->world_from_end) + " and measured " +
                                     poseText(world_from_robot)
                               : std::to_string(steps_taken_) + " behaviours did not lead there";
-  return "Stuck on the way to " + poseText(world_from_goal_) + ": " + why +
+  return "Stuck on the way to " + poseText(route_[at_].world_from_goal) + ": " + why +
          ". Free the robot, or check that the repertoire was learned for it.";
+}
+
+/// To the first waypoint that the robot is not at yet.
+PlanResult Walk::planOnward(PlanRequest request) {
+  const auto plan_to = [this](const PlanRequest& one) { return planner_->plan(one); };
+  for (;;) {
+    request.memory = std::move(memory_);
+    const Waypoint* next = at_ + 1 < route_.size() ? &route_[at_ + 1] : nullptr;
+    PlanResult plan = planLeg(plan_to, request, route_[at_], next);
+    memory_ = plan.memory;
+    if (plan.code != PlanCode::kAlreadyThere || !next) return plan;
+    ++at_;
+    memory_ = {};
+    most_steps_ = kUnknown;
+  }
+}
+
+std::string Walk::describeArrival(const Pose2& world_from_robot, const PlanResult& plan) const {
+  const Pose2& goal = route_.back().world_from_goal;
+  std::string text = "Arrived at " + poseText(world_from_robot) + " after " +
+                     std::to_string(steps_taken_) + " behaviours";
+  if (route_.size() > 1) text += " through " + std::to_string(route_.size()) + " waypoints";
+  if (distance(plan.world_from_target, goal) > 0.0) {
+    text += ", the nearest free pose to the goal " + poseText(goal);
+  }
+  return text + ".";
 }
 
 Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<bool()>& stop) {
@@ -60,23 +87,15 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
   joints_.clear();
   PlanRequest request;
   request.world_from_start = world_from_robot;
-  request.world_from_goal = world_from_goal_;
-  request.tolerance = tolerance_;
   request.stop = stop;
   request.obstacles = obstacles_;
   request.goal_policy = options_.goal_policy;
-  request.memory = std::move(memory_);
-  decision.plan = planner_->plan(request);
-  memory_ = decision.plan.memory;
+  decision.plan = planOnward(std::move(request));
+  decision.waypoint = at_;
   decision.message = decision.plan.message;
   if (decision.plan.code == PlanCode::kAlreadyThere) {
     decision.state = WalkState::kArrived;
-    decision.message = "Arrived at " + poseText(world_from_robot) + " after " +
-                       std::to_string(steps_taken_) + " behaviours" +
-                       (distance(decision.plan.world_from_target, world_from_goal_) > 0.0
-                            ? ", the nearest free pose to the goal " + poseText(world_from_goal_)
-                            : "") +
-                       ".";
+    decision.message = describeArrival(world_from_robot, decision.plan);
     return decision;
   }
   if (const auto problem = problemWith(world_from_robot, decision.state)) {
@@ -84,9 +103,9 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
     return decision;
   }
   if (decision.plan.code != PlanCode::kFound) return decision;
-  if (most_steps_ == 0) {
-    most_steps_ =
-        options_.max_steps_factor * static_cast<std::int64_t>(decision.plan.steps.size()) + 10;
+  if (most_steps_ == kUnknown) {
+    const auto steps = static_cast<std::int64_t>(decision.plan.steps.size());
+    most_steps_ = steps_taken_ + options_.max_steps_factor * steps + 10;
   }
   decision.state = WalkState::kStep;
   decision.step = decision.plan.steps.front();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "planning/adaptive_planner.h"
+#include "planning/route.h"
 
 namespace hexapod {
 
@@ -33,8 +35,8 @@ struct WalkOptions {
   GoalPolicy goal_policy = GoalPolicy::kRefuse;
 };
 
-/// One walk to a goal, behaviour by behaviour, planned anew from the measured pose before each one,
-/// with the plan before for a start.
+/// One walk to a goal, or through several, behaviour by behaviour, planned anew from the measured
+/// pose before each one, with the plan before for a start.
 ///
 /// Knows no clock and no robot: decide() is told where the robot stands at rest and answers what to
 /// play. Not thread-safe.
@@ -44,12 +46,16 @@ class Walk {
     WalkState state = WalkState::kNoPlan;
     PlanResult plan;                  ///< from the measured pose
     std::optional<PlannedStep> step;  ///< only with kStep: the first of the plan
+    std::size_t waypoint = 0;         ///< that is walked to
     std::string message;              ///< a sentence for the user
   };
 
   /// The planner is shared with other walks: what is learned of the robot in one serves the next.
   Walk(std::shared_ptr<AdaptivePlanner> planner, const Pose2& world_from_goal,
        const GoalTolerance& tolerance, const WalkOptions& options = {});
+  /// Through these, one after the other; at least one.
+  Walk(std::shared_ptr<AdaptivePlanner> planner, std::vector<Waypoint> route,
+       const WalkOptions& options = {});
 
   /// The next behaviour, or the end. `stop` may end the planning early (PlanRequest::stop).
   Decision decide(const Pose2& world_from_robot, const std::function<bool()>& stop = {});
@@ -73,15 +79,18 @@ class Walk {
   std::int64_t stepsTaken() const { return steps_taken_; }
 
  private:
+  PlanResult planOnward(PlanRequest request);
+  std::string describeArrival(const Pose2& world_from_robot, const PlanResult& plan) const;
   std::optional<std::string> problemWith(const Pose2& world_from_robot, WalkState& state);
 
   std::shared_ptr<AdaptivePlanner> planner_;
-  Pose2 world_from_goal_;
-  GoalTolerance tolerance_;
+  std::vector<Waypoint> route_;
+  std::size_t at_ = 0;  // the waypoint that is walked to
   WalkOptions options_;
   std::int64_t steps_taken_ = 0;
   std::int64_t failed_in_a_row_ = 0;
-  std::int64_t most_steps_ = 0;  // 0 until the first plan
+  static constexpr std::int64_t kUnknown = std::numeric_limits<std::int64_t>::max();
+  std::int64_t most_steps_ = kUnknown;  // until the first plan to the waypoint
   std::optional<PlannedStep> expected_;
   Pose2 before_;
   std::vector<JointRange> joints_;  // of expected_

@@ -10,7 +10,8 @@ import actionlib
 import pytest
 import rospy
 from actionlib_msgs.msg import GoalStatus
-from hexapod_repertoire.msg import ExecutorState, WalkSummary
+from hexapod_repertoire.msg import (ExecutorState, WalkRouteAction, WalkRouteGoal, WalkSummary,
+                                    Waypoint)
 from hexapod_repertoire.srv import GoToResponse
 from map_msgs.msg import OccupancyGridUpdate
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
@@ -193,6 +194,36 @@ def test_a_map_that_changes_in_mid_walk_is_walked_around(client, floor):
     ws.wait_for(lambda: room_m.append(floor.room_m()) or walked.answers, 120.0, "the answer")
     assert answer(walked).code == code("SUCCEEDED"), answer(walked).message
     assert min(room_m) > SWEPT_M
+
+
+def test_a_route_is_walked_through_all_its_waypoints_around_a_wall(client, floor):
+    floor.show(wall)
+    expect_map(client, floor, (0.85, 0.0, 0.0), "GOAL_OCCUPIED")
+    route = actionlib.SimpleActionClient("walk_route", WalkRouteAction)
+    assert route.wait_for_server(rospy.Duration(10.0))
+    poses = ((0.3, 0.6), (0.85, 1.5), (1.5, 0.5))
+    waypoints = [Waypoint(pose=floor.goal(x, y, 0.0), xy_tolerance_m=0.08, yaw_tolerance_rad=-1.0)
+                 for x, y in poses]
+    told, room_m = [], []
+    route.send_goal(WalkRouteGoal(waypoints=waypoints), feedback_cb=told.append)
+    ws.wait_for(lambda: room_m.append(floor.room_m()) or
+                route.get_state() not in (GoalStatus.PENDING, GoalStatus.ACTIVE), 150.0, "the end")
+    assert route.get_state() == GoalStatus.SUCCEEDED, route.get_goal_status_text()
+    result = route.get_result()
+    assert result.waypoints_reached == 3 and result.steps == len(told)
+    assert [feedback.waypoint for feedback in told] == sorted(feedback.waypoint for feedback in told)
+    assert {feedback.waypoint for feedback in told} == {0, 1, 2}
+    assert math.dist(floor.robot(), poses[-1]) < 0.1
+    assert min(room_m) > SWEPT_M
+    # One that leads through the wall is refused before a step is made.
+    waypoints[1].pose = floor.goal(0.85, 0.0, 0.0)
+    route.send_goal(WalkRouteGoal(waypoints=waypoints))
+    assert route.wait_for_result(rospy.Duration(20.0))
+    assert route.get_state() == GoalStatus.REJECTED
+    assert route.get_goal_status_text().startswith("Waypoint 2 of 3: ")
+    route.send_goal(WalkRouteGoal())
+    assert route.wait_for_result(rospy.Duration(20.0))
+    assert "no waypoints" in route.get_result().message
 
 
 def test_a_planner_that_starts_later_knows_the_latched_map(session, client, floor):

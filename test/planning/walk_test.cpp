@@ -46,6 +46,45 @@ TEST_F(WalkTest, ArrivesWithARobotThatDoesAsTheRepertoireSays) {
   EXPECT_GT(steps_, 0);
 }
 
+TEST_F(WalkTest, PassesEveryWaypointInOrderAndArrivesAtTheLast) {
+  const std::vector<Waypoint> route = {{{0.9, 0.2, 0.0}, {0.06, -1.0}},
+                                       {{0.9, -0.8, 2.0}, {0.05, 0.2}},
+                                       {{0.0, 0.0, 0.0}, {0.05, 0.2}}};
+  Walk walk(planner_, route);
+  Pose2 pose;
+  std::size_t passed = 0;
+  Walk::Decision decision = walk.decide(pose);
+  for (int i = 0; i < 60 && decision.state == WalkState::kStep; ++i) {
+    if (decision.waypoint != passed) {
+      ASSERT_EQ(decision.waypoint, passed + 1);
+      EXPECT_LE(distance(pose, route[passed].world_from_goal), route[passed].tolerance.xy_m);
+      passed = decision.waypoint;
+    }
+    pose = pose * planner_->repertoire().entries.at(decision.step->entry).expectedPose();
+    decision = walk.decide(pose);
+  }
+  EXPECT_EQ(decision.state, WalkState::kArrived) << decision.message;
+  EXPECT_EQ(decision.waypoint, 2u);
+  EXPECT_EQ(passed, 2u);
+  EXPECT_LE(distance(pose, route[2].world_from_goal), 0.05);
+  EXPECT_NE(decision.message.find("3 waypoints"), std::string::npos) << decision.message;
+}
+
+TEST_F(WalkTest, IsStuckOnTheLaterWaypointThatItCannotGetTo) {
+  const std::vector<Waypoint> route = {{{0.9, 0.0, 0.0}, {0.06, -1.0}}, {kGoal, GoalTolerance()}};
+  Walk walk(planner_, route);
+  Pose2 pose;
+  Walk::Decision decision = walk.decide(pose);
+  for (int i = 0; i < 60 && decision.state == WalkState::kStep; ++i) {
+    if (decision.waypoint == 0) {
+      pose = pose * planner_->repertoire().entries.at(decision.step->entry).expectedPose();
+    }
+    decision = walk.decide(pose);
+  }
+  EXPECT_EQ(decision.state, WalkState::kStuck);
+  EXPECT_EQ(decision.waypoint, 1u);
+}
+
 TEST_F(WalkTest, ArrivesAtOnceWhenItStandsThere) {
   const auto decision = walkWith(nullptr, {0.01, 0.0, 0.02});
   EXPECT_EQ(decision.state, WalkState::kArrived);

@@ -21,8 +21,12 @@ WalkReport refusal(std::uint8_t code, const std::string& message) {
   return report;
 }
 
+std::string ofWaypoint(std::size_t number, std::size_t count) {
+  return "Waypoint " + std::to_string(number) + " of " + std::to_string(count) + ": ";
+}
+
 // The tolerance a client asked for; a problem as a sentence when it asked for an impossible one.
-GoalTolerance toleranceOf(const GoalRequest& request, const GoalTolerance& standard,
+GoalTolerance toleranceOf(const PoseRequest& request, const GoalTolerance& standard,
                           std::string& problem) {
   const double xy_m = request.xy_tolerance_m;
   const double yaw_rad = request.yaw_tolerance_rad;
@@ -101,15 +105,32 @@ GoalExaminer::Examination GoalExaminer::examineFrom(const geometry_msgs::PoseSta
 
 GoalExaminer::Refusal GoalExaminer::readGoal(const GoalRequest& request, const Stop& stop,
                                              WalkGoal& goal) const {
+  if (!request.problem.empty()) return refusal(GoalCode::INVALID_GOAL, request.problem);
+  for (const PoseRequest& pose : request.via) {
+    goal.via.emplace_back();
+    auto refused = readPose(pose, stop, goal.via.back());
+    if (!refused) continue;
+    refused->message = ofWaypoint(goal.via.size(), request.via.size() + 1) + refused->message;
+    return refused;
+  }
+  Waypoint last;
+  const auto refused = readPose(request, stop, last);
+  goal.pose = last.world_from_goal;
+  goal.tolerance = last.tolerance;
+  return refused;
+}
+
+GoalExaminer::Refusal GoalExaminer::readPose(const PoseRequest& request, const Stop& stop,
+                                             Waypoint& waypoint) const {
   std::string problem;
-  goal.tolerance = toleranceOf(request, means_.options.planner.tolerance(), problem);
+  waypoint.tolerance = toleranceOf(request, means_.options.planner.tolerance(), problem);
   if (!problem.empty()) return refusal(GoalCode::INVALID_GOAL, problem);
   if (!fromPoseMsg(request.pose.pose, problem)) {
     return refusal(GoalCode::INVALID_GOAL, "The goal is refused: " + problem + ".");
   }
   const PoseReading reading = means_.poses.goalPose(request.pose, stop);
   if (!reading.pose) return refusal(GoalCode::UNKNOWN_FRAME, reading.problem);
-  goal.pose = *reading.pose;
+  waypoint.world_from_goal = *reading.pose;
   return std::nullopt;
 }
 
@@ -140,17 +161,34 @@ void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
   const auto planner = means_.repertoire.planner();
   PlanRequest request;
   request.world_from_start = examination.start;
-  request.world_from_goal = examination.goal.pose;
-  request.tolerance = examination.goal.tolerance;
-  request.stop = withinWallTime(means_.options, means_.clock, stop);
+  request.stop = stop;
   if (means_.obstacles) request.obstacles = means_.obstacles();
   request.goal_policy = means_.options.goalPolicy();
-  examination.plan = planner->plan(request);
+  examination.plan = planRoute(*planner, request, examination.goal.route());
   WalkReport& report = examination.report;
   report.code = codeOf(examination.plan.code);
   report.message = examination.plan.message;
   fillIn(examination.start, examination.plan, means_.options.global_frame, means_.clock.rosNow(),
          report);
+}
+
+/// Up to the first waypoint that has no plan.
+PlanResult GoalExaminer::planRoute(const AdaptivePlanner& planner, PlanRequest request,
+                                   const std::vector<Waypoint>& route) const {
+  const auto plan_to = [&](const PlanRequest& one) { return planner.plan(one); };
+  const Stop stop = request.stop;
+  PlanResult whole;
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    request.stop = withinWallTime(means_.options, means_.clock, stop);
+    PlanResult leg =
+        planLeg(plan_to, request, route[i], i + 1 < route.size() ? &route[i + 1] : nullptr);
+    if (route.size() == 1) return leg;
+    leg.message = ofWaypoint(i + 1, route.size()) + leg.message;
+    if (!leg.success()) return leg;
+    request.world_from_start = leg.world_from_end;
+    append(leg, whole);
+  }
+  return whole;
 }
 
 }  // namespace hexapod

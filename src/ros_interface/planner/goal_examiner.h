@@ -48,11 +48,14 @@ class GoalExaminer {
   using Refusal = std::optional<WalkReport>;
 
   Refusal readGoal(const GoalRequest& request, const Stop& stop, WalkGoal& goal) const;
+  Refusal readPose(const PoseRequest& request, const Stop& stop, Waypoint& waypoint) const;
   Examination examineTwist(const Stop& stop) const;
   Refusal askPlayer(const Stop& stop) const;
   Refusal askRepertoire(const Stop& stop) const;
   bool cannotBePlayed() const;
   void plan(const Stop& stop, Examination& examination) const;
+  PlanResult planRoute(const AdaptivePlanner& planner, PlanRequest request,
+                       const std::vector<Waypoint>& route) const;
   void awaitAtStart(const std::function<bool()>& there, const Stop& stop) const;
 
   Means means_;

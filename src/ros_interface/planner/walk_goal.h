@@ -9,9 +9,11 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "hexapod_repertoire/GoTo.h"
 #include "planning/planner.h"
+#include "planning/route.h"
 #include "planning/walk.h"
 #include "ros_interface/planner/behavior_player.h"
 
@@ -32,11 +34,17 @@ struct Twist {
   }
 };
 
-/// A goal as a client sent it.
-struct GoalRequest {
+/// A pose as a client sent it.
+struct PoseRequest {
   geometry_msgs::PoseStamped pose;
   double xy_tolerance_m = 0.0;     ///< 0: the node's default
   double yaw_tolerance_rad = 0.0;  ///< 0: the node's default; negative: any heading
+};
+
+/// A goal as a client sent it.
+struct GoalRequest : PoseRequest {
+  std::vector<PoseRequest> via;  ///< to be passed before, in this order
+  std::string problem;           ///< why it is refused whatever is known of the robot, or empty
   bool plan_only = false;
   /// Instead of a pose: walk as it says until it says nothing any more. Asked often.
   std::function<std::optional<Twist>()> twist;
@@ -46,6 +54,14 @@ struct GoalRequest {
 struct WalkGoal {
   Pose2 pose;
   GoalTolerance tolerance;
+  std::vector<Waypoint> via = {};  ///< to be passed before
+
+  /// All of them, in order.
+  std::vector<Waypoint> route() const {
+    std::vector<Waypoint> all = via;
+    all.push_back({pose, tolerance});
+    return all;
+  }
 };
 
 /// What a walk was like, so far.
@@ -70,6 +86,7 @@ struct WalkReport {
   double final_xy_error_m = 0.0;
   double final_yaw_error_rad = 0.0;
   std::uint32_t steps = 0;
+  std::uint32_t waypoints = 0;  ///< arrived at
 
   bool success() const { return code == GoalCode::SUCCEEDED; }
 };
@@ -83,7 +100,8 @@ struct WalkProgress {
   geometry_msgs::PoseStamped pose;
   std::uint32_t steps = 0;          ///< behaviours done
   std::uint32_t steps_planned = 0;  ///< those done included
-  double distance_left_m = 0.0;
+  double distance_left_m = 0.0;     ///< to the waypoint
+  std::uint32_t waypoint = 0;       ///< that is walked to
 };
 
 /// Who wants to know of a goal. Called from various threads, one at a time: accepted at most once,

@@ -32,12 +32,18 @@ WalkRun::WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<Adaptiv
     : means_(means),
       goal_(goal),
       planner_(std::move(planner)),
-      walk_(planner_, goal.goal().pose, goal.goal().tolerance, walkOptions(means.options)),
+      route_(goal.goal().route()),
+      walk_(planner_, route_, walkOptions(means.options)),
       tally_(means.clock),
-      obstacles_(means.obstacles) {}
+      obstacles_(means.obstacles) {
+  // Of a route only the way to the next waypoint is planned again.
+  const WalkReport accepted = goal.report();
+  report_.plan = accepted.plan;
+  report_.plan_summary = accepted.plan_summary;
+}
 
 WalkReport WalkRun::run() {
-  means_.watcher.showGoal(goal_.goal().pose);
+  means_.watcher.showGoal(route_.front().world_from_goal);
   while (measure()) {
     const std::optional<PlannedStep> step = plan();
     if (!step || !play(*step)) break;
@@ -101,11 +107,15 @@ std::optional<PlannedStep> WalkRun::plan() {
   const WalkGoal& goal = goal_.goal();
   const Walk::Decision decision = decideOnceOpen();
   if (goal_.ended()) return std::nullopt;
-  means_.watcher.showPlan(robot, decision.plan, walked_, goal.pose, goal.tolerance.xy_m);
+  const Waypoint& waypoint = route_[decision.waypoint];
+  if (decision.waypoint != report_.waypoints) means_.watcher.showGoal(waypoint.world_from_goal);
+  report_.waypoints = static_cast<std::uint32_t>(decision.waypoint);
+  means_.watcher.showPlan(robot, decision.plan, walked_, waypoint.world_from_goal,
+                          waypoint.tolerance.xy_m);
   WalkReport now;
   fillIn(robot, decision.plan, means_.options.global_frame, means_.clock.rosNow(), now);
   report_.nearest_pose = now.nearest_pose;
-  if (report_.steps == 0) {
+  if (report_.steps == 0 && route_.size() == 1) {
     report_.plan = now.plan;
     report_.plan_summary = now.plan_summary;
   }
@@ -115,11 +125,12 @@ std::optional<PlannedStep> WalkRun::plan() {
     const bool elsewhere = decision.state == WalkState::kArrived &&
                            distance(decision.plan.world_from_target, goal.pose) > 0.0;
     end(elsewhere ? std::uint8_t{GoalCode::GOAL_OCCUPIED} : codeOf(decision), decision.message);
+    if (report_.success()) ++report_.waypoints;
     return std::nullopt;
   }
   goal_.tellProgress({report_.final_pose, report_.steps,
                       report_.steps + static_cast<std::uint32_t>(decision.plan.steps.size()),
-                      report_.final_xy_error_m});
+                      distance(robot, waypoint.world_from_goal), report_.waypoints});
   return decision.step;
 }
 

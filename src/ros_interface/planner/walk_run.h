@@ -41,6 +41,7 @@ class WalkRun {
   const WalkMeans means_;
   OpenGoal& goal_;
   std::shared_ptr<AdaptivePlanner> planner_;
+  const std::vector<Waypoint> route_;
   Walk walk_;
   WalkReport report_;
   ros::Time rest_;                     // when the robot came to rest after the last behaviour

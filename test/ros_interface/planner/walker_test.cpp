@@ -81,6 +81,44 @@ TEST_F(WalkerTest, SumsUpThePlanAndTheWalk) {
   EXPECT_GE(summary.tally.distance_m, 1.5 - options_.planner.xy_tolerance_m);
 }
 
+TEST_F(WalkerTest, WalksThroughTheWaypointsOfARouteAndTellsHowMany) {
+  GoalRequest request = goalAt(0.0, 0.0, 0.0);
+  request.via = {goalAt(1.0, 0.3, 0.0), goalAt(0.8, -0.8, 2.0)};
+  const WalkReport report = walk(request);
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_EQ(report.waypoints, 3u);
+  EXPECT_EQ(watcher_.goals, 3);
+  EXPECT_EQ(report.plan_summary.steps, report.steps);
+  EXPECT_LE(distance(*poses_.latest().pose, {0.0, 0.0, 0.0}), options_.planner.xy_tolerance_m);
+}
+
+TEST_F(WalkerTest, RefusesARouteNamingTheWaypointThatCannotBeHad) {
+  GoalRequest request = goalAt(0.0, 0.0, 0.0);
+  request.via = {goalAt(1.0, 0.3, 0.0), goalAt(1000.0, 0.0, 0.0)};
+  const WalkReport far = walk(request);
+  EXPECT_EQ(far.code, GoalCode::INVALID_GOAL);
+  EXPECT_EQ(far.message.find("Waypoint 2 of 3: "), 0u) << far.message;
+  request.via[1].xy_tolerance_m = -1.0;
+  EXPECT_EQ(walk(request).message.find("Waypoint 2 of 3: "), 0u);
+  request.problem = "No waypoints.";
+  EXPECT_EQ(walk(request).message, "No waypoints.");
+  EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(WalkerTest, ACancelOnTheWayEndsTheWholeRoute) {
+  player_.held = true;
+  GoalRequest request = goalAt(3.0, 0.0, 0.0);
+  request.via = {goalAt(2.0, 1.0, 0.0)};
+  Client client;
+  submit(client, request);
+  while (player_.begun == 0) std::this_thread::yield();
+  walker_->cancelAll();
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::PREEMPTED);
+  player_.held = false;
+  walker_.reset();
+  EXPECT_EQ(player_.begun, 1);
+}
+
 TEST_F(WalkerTest, SumsUpACancelledWalkAsSuch) {
   player_.held = true;
   Client client;
