@@ -1,7 +1,6 @@
 """The demonstration: waits for a validated repertoire, walks to goals, tells how it went."""
 import math
 import os
-import sys
 import threading
 import time
 from dataclasses import dataclass
@@ -35,6 +34,11 @@ class Report:
     @property
     def reached(self) -> bool:
         return self.response.code == GoToResponse.SUCCEEDED
+
+
+def leave_last_words(sentence: str) -> None:
+    """Leaves a sentence for whoever launched this node, to be told when it has ended."""
+    rospy.set_param("~last_words", sentence)
 
 
 def to_pose(message: PoseMsg) -> Pose:
@@ -146,13 +150,14 @@ def table(reports: List[Report]) -> str:
 
 def main() -> int:
     """Runs the demonstration; returns 0 only if every goal was reached within tolerance."""
-    rospy.init_node("demo")
+    rospy.init_node("demo", disable_signals=True)
     try:
         return demonstrate()
     except (Silence, ValueError) as problem:
         rospy.logfatal(problem)
+        leave_last_words(str(problem))
         return 1
-    except rospy.ROSInterruptException:
+    except (rospy.ROSInterruptException, KeyboardInterrupt):
         return 1  # the session ended
 
 
@@ -186,6 +191,8 @@ def demonstrate() -> int:
         print(injury.summary())
     missed = [report for report in reports if not report.reached]
     print(table(reports))
-    print(f"{len(reports) - len(missed)} of {len(reports)} goals reached. Picture: {picture}")
-    sys.stdout.flush()
+    reached = f"{len(reports) - len(missed)} of {len(reports)} goals reached."
+    print(reached, flush=True)
+    leave_last_words(f"{reached} Picture: {picture}. To walk on with what was learned: ./run walk; "
+                     "to look at it: ./run view")
     return 1 if missed else 0

@@ -6,7 +6,8 @@ import threading
 from typing import List, Tuple
 
 import rospy
-from hexapod_repertoire.demo import Report, wait_until_ready, validated_repertoire, walk_to
+from hexapod_repertoire.demo import (Report, leave_last_words, validated_repertoire,
+                                     wait_until_ready, walk_to)
 from hexapod_repertoire.msg import StepReport
 from hexapod_repertoire.pictures import Pose
 from hexapod_repertoire.waiting import Silence, Walker
@@ -93,6 +94,7 @@ def main() -> int:
         return walk_trials()
     except Silence as silence:
         rospy.logfatal(silence)
+        leave_last_words(str(silence))
         return 1
     except rospy.ROSInterruptException:
         return 1  # the session ended

@@ -60,6 +60,7 @@ class Walker:
 
     def __init__(self) -> None:
         self._client = actionlib.ActionClient("walk_to", WalkToAction)
+        self._handle: Any = None
         self._status = Latest("walk_to/status", GoalStatusArray)
         # A goal that is sent before all topics are connected is lost.
         end_s = time.monotonic() + ACTION_PATIENCE_S
@@ -83,7 +84,7 @@ class Walker:
             if handle.get_comm_state() == actionlib.CommState.DONE:
                 ended.set()
 
-        handle = self._client.send_goal(goal, on_change)
+        self._handle = handle = self._client.send_goal(goal, on_change)
         sent_s = time.monotonic()
         while not ended.wait(STEP_S):
             if rospy.is_shutdown():
@@ -97,3 +98,8 @@ class Walker:
         if result is None:
             raise Silence("The planner forgot the goal it was sent: it was started anew.")
         return result
+
+    def cancel(self) -> None:
+        """Cancels the goal sent last, if any."""
+        if self._handle is not None:
+            self._handle.cancel()

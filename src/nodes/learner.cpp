@@ -1,6 +1,8 @@
 // Learns a repertoire of gaits in simulation and publishes it.
 #include <ros/ros.h>
 
+#include <filesystem>
+
 #include "ros_interface/common/node_process.h"
 #include "ros_interface/common/params.h"
 #include "ros_interface/learner/learner_node.h"
@@ -13,11 +15,14 @@ int learn() {
   ros::NodeHandle private_node("~");
   LearnerOptions options;
   loadParams(private_node, declareOptions(options));
-  options.learn.repertoire_file = expandHome(options.learn.repertoire_file);
+  std::string& file = options.learn.repertoire_file;
+  if (!file.empty()) file = std::filesystem::absolute(expandHome(file)).string();
   LearnerNode learner(node, private_node, options);
   ros::AsyncSpinner spinner(1);
   spinner.start();
-  return leaveInTime(learner.run());
+  const int code = leaveInTime(learner.run());
+  leaveLastWords(learner.lastWords());
+  return code;
 }
 
 std::string optionTable() {

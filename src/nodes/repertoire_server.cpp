@@ -1,6 +1,7 @@
 // Publishes a stored repertoire: topics repertoire and repertoire_markers, service get_repertoire.
 #include <ros/ros.h>
 
+#include "repertoire/find_repertoire.h"
 #include "repertoire/repertoire_file.h"
 #include "ros_interface/common/node_process.h"
 #include "ros_interface/common/params.h"
@@ -10,7 +11,8 @@ namespace hexapod {
 namespace {
 
 std::vector<Option> declareOptions(std::string& file) {
-  return {option("repertoire_file", file, "SQLite file written by the learner.")};
+  return {option("repertoire_file", file,
+                 "SQLite file of a repertoire; empty: the newest ~/.ros/hexapod_repertoire*.db.")};
 }
 
 int serve() {
@@ -18,13 +20,9 @@ int serve() {
   ros::NodeHandle private_node("~");
   std::string file;
   loadParams(private_node, declareOptions(file));
-  if (file.empty()) {
-    throw std::invalid_argument(
-        "~repertoire_file is empty; give the path of a repertoire, e.g. "
-        "repertoire_file:=gaits.db.");
-  }
+  file = findRepertoire(expandHome(file), expandHome("~/.ros"));
   RepertoirePublisher publisher(node);
-  const Repertoire repertoire = loadRepertoire(expandHome(file));
+  const Repertoire repertoire = loadRepertoire(file);
   publisher.publish(repertoire);
   ROS_INFO_STREAM("Publishing " << repertoire.entries.size() << " entries of " << file << ".");
   ros::AsyncSpinner spinner(1);

@@ -180,27 +180,24 @@ class OnTheWire {
     goals_.publish(goal);
   }
 
-  // Half of the stops by topic, half by service.
+  void noteStop() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    taken_ns_ = now_ns_;
+    taken_s_ = steadyNow_s();
+    stopped_ = true;
+    obeyed_this_stop_ = 0;
+  }
+
+  // Half of the stops by topic, half by service: that is a stop when it has answered, whatever time
+  // looking it up and connecting to it takes.
   void stopOnce() {
-    {
-      const std::lock_guard<std::mutex> lock(mutex_);
-      taken_ns_ = now_ns_;
-      taken_s_ = steadyNow_s();
-      stopped_ = true;
-      obeyed_this_stop_ = 0;
-    }
     std_msgs::Bool pressed;
     pressed.data = true;
     std_srvs::Trigger trigger;
     const bool by_topic = random_.chance(0.5);
-    by_topic ? e_stop_.publish(pressed)
-             : static_cast<void>(ros::service::call("/executor/stop", trigger));
-    if (!by_topic) {
-      // Looking up and connecting to a service takes its time; when it has answered it is a stop.
-      const std::lock_guard<std::mutex> lock(mutex_);
-      taken_ns_ = now_ns_;
-      taken_s_ = steadyNow_s();
-    }
+    if (!by_topic) ros::service::call("/executor/stop", trigger);
+    noteStop();
+    if (by_topic) e_stop_.publish(pressed);
     waitFor(hexapod_repertoire::ExecutorState::STOPPED);
     waitUntil(now_ns_ + 10 * kPeriod_ns);
     usleep(kLongestStall_us);  // armed again no sooner than the driver is done with its queue

@@ -54,7 +54,8 @@ def names_of(functions):
 def test_help_names_every_verb(arguments):
     result = run(ROOT, *arguments)
     assert result.returncode == 0
-    for verb in ("demo", "learn", "evolve", "walk", "view", "reproduce", "test", "bench",
+    for verb in ("demo", "learn", "evolve", "walk", "go", "stop", "arm", "info", "view", "report",
+                 "reproduce", "test", "bench",
                  "campaign", "check", "import_robot", "setup", "help"):
         assert f"\n  {verb} " in result.stdout
 
@@ -166,6 +167,40 @@ def test_a_build_folder_that_was_moved_here_is_configured_afresh(checkout):
     cache.write_text("CMAKE_HOME_DIRECTORY:INTERNAL=/elsewhere\n")
     run(checkout, "learn", functions=EVERYTHING_INSTALLED + NO_BUILD)
     assert not cache.exists()
+
+
+SAYS_IT_BUILDS = "cmake() { echo called >>called.txt; }; "
+
+
+def builds(checkout):
+    """Learns once; how often CMake was started in all."""
+    run(checkout, "learn", functions=EVERYTHING_INSTALLED + SAYS_IT_BUILDS.replace(
+        "called.txt", str(checkout / "called.txt")))
+    return len((checkout / "called.txt").read_text().splitlines())
+
+
+def test_nothing_is_built_when_no_source_is_newer_than_the_last_build(checkout):
+    source = checkout / "src" / "a.cpp"
+    source.parent.mkdir()
+    source.touch()
+    os.utime(source, (1, 1))
+    os.utime(source.parent, (1, 1))
+    first = builds(checkout)
+    assert first > 0
+    assert builds(checkout) == first
+    stamp = next(checkout.glob("build/.built*"))
+    os.utime(stamp, (10, 10))
+    os.utime(source, (20, 20))
+    second = builds(checkout)
+    assert second == 2 * first
+    source.unlink()  # which its folder tells
+    os.utime(next(checkout.glob("build/.built*")), (10, 10))
+    assert builds(checkout) == 3 * first
+
+
+def test_after_a_failed_build_the_next_one_is_tried(checkout):
+    run(checkout, "learn", functions=EVERYTHING_INSTALLED + "cmake() { return 1; }; ")
+    assert builds(checkout) > 0
 
 
 def test_a_failed_build_shows_its_log_and_starts_nothing(checkout):

@@ -48,9 +48,10 @@ case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
     launch_file.write_text(LAUNCH.format(script=script, fate=fate))
     environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}",
                        ROS_IP="127.0.0.1", ROS_HOME=str(tmp_path))
-    # Run as a file: the package may be that of another build.
+    # That of these sources: the package may be that of another build.
+    environment["PYTHONPATH"] = os.pathsep.join([str(ROOT / "src"), *sys.path])
     result = subprocess.run(
-        [sys.executable, str(ROOT / "src" / "hexapod_repertoire" / "launch.py"), str(launch_file),
+        [sys.executable, "-m", "hexapod_repertoire.launch", str(launch_file),
          f"other:={other}", f"required:={required}"],
         env=environment, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         universal_newlines=True)

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
+#include <ros/param.h>
 
 #include <chrono>
 #include <csignal>
@@ -48,6 +49,7 @@ void watchSignals() {
 }
 
 void explain(const std::exception& error) {
+  leaveLastWords(error.what());
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) ROS_FATAL_STREAM(line);
 }
@@ -83,6 +85,8 @@ bool askedToLeave() { return leave || !ros::ok(); }
 void waitUntilAskedToLeave() {
   while (!askedToLeave()) std::this_thread::sleep_for(kPoll);
 }
+
+void leaveLastWords(const std::string& sentence) { ros::param::set("~last_words", sentence); }
 
 int leaveInTime(int code) {
   std::thread([code] {

@@ -29,6 +29,10 @@ bool askedToLeave();
 /// Returns when askedToLeave().
 void waitUntilAskedToLeave();
 
+/// Leaves a sentence for whoever launched this node, to be told when it has ended: what was
+/// achieved, where it is, what to do next. It is the private parameter last_words.
+void leaveLastWords(const std::string& sentence);
+
 /// Returns `code`, and ends the process with it after 1.5 s if it has not ended by then. For a body
 /// whose work is done.
 int leaveInTime(int code);

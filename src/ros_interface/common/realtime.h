@@ -4,13 +4,14 @@
 
 namespace hexapod {
 
-/// Real-time priorities of the threads a command passes through: above the kernel's ordinary
+/// Real-time priorities of the threads that a command and its answer pass through: above the kernel's ordinary
 /// threads, below its interrupt threads (50).
 struct RealtimePriority {
   static constexpr int kLoop = 40;       ///< decides what is sent
   static constexpr int kSending = 39;    ///< serialises it
   static constexpr int kTransport = 38;  ///< writes it to the sockets
-  static constexpr int kRobot = 37;      ///< a simulated robot, which obeys it
+  static constexpr int kFeedback = 37;   ///< reads what the robot answers
+  static constexpr int kRobot = 36;      ///< a simulated robot, which obeys it
 };
 
 /// Asks for SCHED_FIFO at `priority`, or as near to it as RLIMIT_RTPRIO allows, for the calling

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include "ros_interface/common/names.h"
+#include "ros_interface/common/realtime.h"
 
 namespace hexapod {
 namespace {
@@ -14,10 +15,12 @@ constexpr std::uint32_t kQueueSize = 10;
 }  // namespace
 
 JointFeedback::JointFeedback(const ros::NodeHandle& node, SharedExecutor& executor,
-                             const JointMap& map, double timeout_s, const Clock& clock)
+                             const JointMap& map, double timeout_s, const Clock& clock,
+                             bool realtime)
     : executor_(executor),
       map_(map),
       clock_(clock),
+      realtime_(realtime),
       merger_(map.wireNames(), timeout_s),
       readings_(map.joints().size()),
       ranges_(map.joints().size()),
@@ -44,6 +47,10 @@ std::string JointFeedback::rivals() const {
 }
 
 void JointFeedback::onJointState(const Event& event) {
+  if (thread_local bool asked = false; realtime_ && !asked) {
+    asked = true;
+    askForRealtimePriority(RealtimePriority::kFeedback);
+  }
   const sensor_msgs::JointState& message = *event.getConstMessage();
   const std::int64_t ros_ns = toNs(clock_.rosNow());
   const std::int64_t steady_ns = clock_.isSimulated() ? ros_ns : clock_.steadyNow_ns();

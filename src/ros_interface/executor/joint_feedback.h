@@ -21,13 +21,14 @@
 namespace hexapod {
 
 /// Takes joint_states, from one driver or from several for some joints each, and hands what is
-/// believed of it (FeedbackMerger) to the executor. On a queue and a thread of its own: no other
-/// callback makes feedback old. Public functions from any thread.
+/// believed of it (FeedbackMerger) to the executor. On a queue and a thread of its own, with
+/// `realtime` of a real-time priority: neither another callback nor another program makes feedback
+/// old. Public functions from any thread.
 class JointFeedback {
  public:
   /// `executor` and `clock` must outlive it. `timeout_s` 0: nothing is listened to, open loop.
   JointFeedback(const ros::NodeHandle& node, SharedExecutor& executor, const JointMap& map,
-                double timeout_s, const Clock& clock);
+                double timeout_s, const Clock& clock, bool realtime);
 
   std::uint64_t received() const { return received_; }
   std::uint64_t refused() const { return refused_; }
@@ -49,6 +50,7 @@ class JointFeedback {
   SharedExecutor& executor_;
   JointMap map_;
   const Clock& clock_;
+  const bool realtime_;
   FeedbackMerger merger_;   // feedback thread
   JointReadings readings_;  // feedback thread; as the robot description counts angles
   JointRanges ranges_;

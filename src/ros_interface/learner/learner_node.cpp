@@ -105,6 +105,17 @@ int LearnerNode::run() {
   return 1;
 }
 
+std::string LearnerNode::lastWords() const {
+  const std::string problem = session_.saveProblem();
+  if (!problem.empty()) return problem + " What was learned since is lost.";
+  const std::string& file = options_.learn.repertoire_file;
+  return std::to_string(session_.status().entries) + " entries in " + file +
+         ". To walk with them: ./run walk repertoire_file:=" + file +
+         "; to look at them: ./run view "
+         "repertoire_file:=" +
+         file;
+}
+
 bool LearnerNode::learn() {
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { progress(); };

@@ -39,6 +39,9 @@ class LearnerNode {
   /// before it returns. Returns the exit code: 0 when all that was learned is in the file.
   int run();
 
+  /// What was learned, where it is and what to do with it; or what went wrong.
+  std::string lastWords() const;
+
  private:
   using SteadyClock = std::chrono::steady_clock;
 

@@ -68,6 +68,10 @@ void SimulatedRobotNode::run(const std::atomic<bool>& leave) {
     askForRealtimePriority(RealtimePriority::kRobot);
     raiseTransportPriority();
   }
+  updater_.force_update();  // the first one asks the master
+  // Its time begins now, however long the start took.
+  steady_start_ns_ = steadyNow_ns();
+  time_ns_ = static_cast<std::int64_t>(ros::WallTime::now().toNSec());
   while (!leave && ros::ok()) {
     updater_.update();
     const std::int64_t wait_ns = nextDeadline_ns() - steadyNow_ns();
