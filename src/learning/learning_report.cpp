@@ -10,6 +10,20 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
+// The measures first, and short: on a terminal the rest of a line may be cut off.
+std::string describeEvolving(const LearningStatus& status) {
+  std::string line;
+  if (status.last.evaluations > 0) {
+    line = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
+           fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg, ";
+  }
+  line +=
+      std::to_string(status.entries) + " entries; " + std::to_string(status.counters.evaluations);
+  // A run that only its time limits has a budget nobody reads.
+  if (status.time_budget_s <= 0.0) line += " of " + std::to_string(status.evaluations_budget);
+  return line + ", " + fixedText(status.eta_s, 0) + " s left";
+}
+
 }  // namespace
 
 std::string describe(const LearningStatus& status) {
@@ -20,22 +34,17 @@ std::string describe(const LearningStatus& status) {
   }
   if (status.phase == LearningPhase::kValidating) return "Validating: " + checked + " entries.";
   if (status.phase == LearningPhase::kTryingWorlds) return "Trying other worlds: " + checked + ".";
-  const bool done = status.phase == LearningPhase::kDone;
-  std::string line = (done ? "Done: " : "Learning: ") + std::to_string(status.counters.evaluations);
-  // A run that only its time limits has a budget nobody reads.
-  if (!done && status.time_budget_s <= 0.0) {
-    line += " of " + std::to_string(status.evaluations_budget);
-  }
-  line += " evaluations, " + fixedText(status.evaluations_per_s, 0) + "/s, ";
-  if (!done) line += fixedText(status.eta_s, 0) + " s left, ";
-  line += std::to_string(status.entries) + " entries";
+  if (status.phase != LearningPhase::kDone) return describeEvolving(status);
+  std::string line = "Done: " + std::to_string(status.counters.evaluations) + " evaluations, " +
+                     fixedText(status.evaluations_per_s, 0) + "/s, " +
+                     std::to_string(status.entries) + " entries";
   if (status.last.evaluations > 0) {
     line += ", sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) +
             " cm, orientation error " +
             fixedText(status.last.median_orientation_error_rad * kDegrees, 2) +
             " deg where it learned";
   }
-  if (done && status.last.held_out) {
+  if (status.last.held_out) {
     line += " (" + fixedText(100.0 * status.last.held_out->sparseness_m, 2) + " cm, " +
             fixedText(status.last.held_out->median_orientation_error_rad * kDegrees, 2) +
             " deg in other worlds)";

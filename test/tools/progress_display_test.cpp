@@ -34,17 +34,14 @@ LearningStatus validating(std::int64_t validated) {
 
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
-            "Learning: 2000 of 4000 evaluations, 512/s, 4 s left, 120 entries, sparseness 4.21 cm, "
-            "orientation error 2.31 deg where it learned; 2500 simulations, 130 gaits known.");
+            "sparseness 4.21 cm, error 2.31 deg, 120 entries; 2000 of 4000, 4 s left");
   EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 entries.");
 }
 
 TEST(LearningReport, LeavesOutTheMetricsUntilThereAreSome) {
   LearningStatus status = halfDone();
   status.last = HistoryRow();
-  EXPECT_EQ(describe(status),
-            "Learning: 2000 of 4000 evaluations, 512/s, 4 s left, 120 entries; 2500 simulations, "
-            "130 gaits known.");
+  EXPECT_EQ(describe(status), "120 entries; 2000 of 4000, 4 s left");
 }
 
 TEST(LearningReport, MeasuresTheBudgetThatIsUsedUpFirst) {

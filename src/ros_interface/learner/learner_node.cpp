@@ -16,6 +16,7 @@ using std::chrono::duration;
 using std::chrono::milliseconds;
 
 constexpr double kTellPeriod_s = 1.0;
+constexpr double kLogPeriod_s = 5.0;
 constexpr double kComplainPeriod_s = 10.0;
 constexpr milliseconds kPoll{50};
 // A save that failed is tried again now and then while there is time, and so often at the end.
@@ -157,6 +158,10 @@ void LearnerNode::progress() {
   if (done) ended_ = true;
   if (due(told_, kTellPeriod_s) || done) {
     publishProgress(status);
+  }
+  const bool changed = status.phase != logged_phase_;
+  if (due(logged_, changed ? 0.0 : kLogPeriod_s)) {
+    logged_phase_ = status.phase;
     ROS_INFO_STREAM(describe(status));
   }
   const bool evolving = status.phase == LearningPhase::kEvolving;

@@ -63,6 +63,8 @@ class LearnerNode {
   std::atomic<bool> ended_{false};
   std::string run_id_;
   SteadyClock::time_point told_{};
+  SteadyClock::time_point logged_{};
+  LearningPhase logged_phase_ = LearningPhase::kEvolving;
   SteadyClock::time_point published_{};
   SteadyClock::time_point complained_{};
 };
