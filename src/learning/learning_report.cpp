@@ -10,18 +10,17 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
-// The measures first, and short: on a terminal the rest of a line may be cut off.
+// Short, and the measures early: on a terminal the rest of a line may be cut off.
 std::string describeEvolving(const LearningStatus& status) {
-  std::string line;
-  if (status.last.evaluations > 0) {
-    line = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
-           fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg, ";
-  }
-  line +=
-      std::to_string(status.entries) + " entries; " + std::to_string(status.counters.evaluations);
+  std::string line = "Learning: " + std::to_string(status.counters.evaluations);
   // A run that only its time limits has a budget nobody reads.
   if (status.time_budget_s <= 0.0) line += " of " + std::to_string(status.evaluations_budget);
-  return line + ", " + fixedText(status.eta_s, 0) + " s left";
+  if (status.last.evaluations > 0) {
+    line += ", sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
+            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg";
+  }
+  return line + ", " + std::to_string(status.entries) + " entries, " + fixedText(status.eta_s, 0) +
+         " s left";
 }
 
 }  // namespace

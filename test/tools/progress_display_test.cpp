@@ -34,14 +34,14 @@ LearningStatus validating(std::int64_t validated) {
 
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
-            "sparseness 4.21 cm, error 2.31 deg, 120 entries; 2000 of 4000, 4 s left");
+            "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 4 s left");
   EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 entries.");
 }
 
 TEST(LearningReport, LeavesOutTheMetricsUntilThereAreSome) {
   LearningStatus status = halfDone();
   status.last = HistoryRow();
-  EXPECT_EQ(describe(status), "120 entries; 2000 of 4000, 4 s left");
+  EXPECT_EQ(describe(status), "Learning: 2000 of 4000, 120 entries, 4 s left");
 }
 
 TEST(LearningReport, MeasuresTheBudgetThatIsUsedUpFirst) {
