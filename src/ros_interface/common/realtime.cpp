@@ -15,10 +15,10 @@
 namespace hexapod {
 namespace {
 
-int setFifo(int priority) {
+int setRoundRobin(int priority) {
   sched_param parameters{};
   parameters.sched_priority = priority;
-  return pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameters);
+  return pthread_setschedparam(pthread_self(), SCHED_RR, &parameters);
 }
 
 // True when RLIMIT_MEMLOCK allows all there will ever be; who may raise it has it raised.
@@ -41,11 +41,11 @@ bool lockedBeyondLimit() {
 }  // namespace
 
 int askForRealtimePriority(int priority) {
-  const int refusal = setFifo(priority);
+  const int refusal = setRoundRobin(priority);
   if (refusal == 0) return 0;
   rlimit limit{};
   if (getrlimit(RLIMIT_RTPRIO, &limit) != 0 || limit.rlim_cur < 1) return refusal;
-  return setFifo(std::min(priority, static_cast<int>(limit.rlim_cur)));
+  return setRoundRobin(std::min(priority, static_cast<int>(limit.rlim_cur)));
 }
 
 // roscpp calls the listener in the thread that writes the sockets, at least every 100 ms.

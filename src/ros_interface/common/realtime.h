@@ -4,21 +4,23 @@
 
 namespace hexapod {
 
-/// Real-time priorities of the threads that a command and its answer pass through: above the kernel's ordinary
-/// threads, below its interrupt threads (50).
+/// Real-time priorities of the threads that a command and its answer pass through: above the
+/// kernel's ordinary threads, below its interrupt threads (50).
 struct RealtimePriority {
   static constexpr int kLoop = 40;       ///< decides what is sent
   static constexpr int kSending = 39;    ///< serialises it
-  static constexpr int kTransport = 38;  ///< writes it to the sockets
-  static constexpr int kFeedback = 37;   ///< reads what the robot answers
-  static constexpr int kRobot = 36;      ///< a simulated robot, which obeys it
+  static constexpr int kFeedback = 38;   ///< judges what the robot answers
+  static constexpr int kRobot = 37;      ///< a simulated robot, which obeys
+  static constexpr int kTransport = 36;  ///< reads and writes sockets; last: others decide how much
 };
 
-/// Asks for SCHED_FIFO at `priority`, or as near to it as RLIMIT_RTPRIO allows, for the calling
-/// thread. Returns 0, or the errno of the refusal; the thread then goes on as it was.
+/// Asks for SCHED_RR (equal ones take turns) at `priority`, or as near to it as RLIMIT_RTPRIO
+/// allows, for the calling thread. Returns 0, or the errno of the refusal; the thread then goes on
+/// as it was.
 int askForRealtimePriority(int priority);
 
-/// Asks for RealtimePriority::kTransport for roscpp's own thread, which reads and writes the sockets.
+/// Asks for RealtimePriority::kTransport for roscpp's own thread, which reads and writes the
+/// sockets.
 void raiseTransportPriority();
 
 /// Keeps all pages of the process in memory, now and later: a page fault makes a command late.
