@@ -24,8 +24,9 @@ namespace hexapod {
 /// back, not on reset either. After a short stall of the process the steps that were missed are
 /// taken at once; when that cannot make up for it the world has stood still instead, so that what
 /// it reports is never old. As fast as it can (factor 0) still waits for each command of a live
-/// stream, so that none comes late. ~disturb breaks it, weakens it or changes its floor from one step to the next;
-/// ~reset puts it back on its feet as it was started. Everything happens in the thread of run().
+/// stream, so that none comes late. ~disturb breaks it, weakens it or changes its floor from one
+/// step to the next; ~reset puts it back on its feet as it was started. Everything happens in the
+/// thread of run().
 class SimulatedRobotNode {
  public:
   /// Throws std::invalid_argument when options do not fit.
