@@ -11,10 +11,14 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 import numpy as np  # noqa: E402
+from matplotlib import cm  # noqa: E402
+from matplotlib.colors import ListedColormap  # noqa: E402
 
 Pose = Tuple[float, float, float]
 
 WORST_SHOWN_ERROR_DEG = 10.0
+# Of errors everywhere, rviz too: dark is bad, seen in grey as well, and light still shows on white.
+SHADES = ListedColormap(cm.viridis_r(np.linspace(0.25, 1.0, 256)))
 
 
 @dataclass(frozen=True)
@@ -54,7 +58,7 @@ def draw_repertoire(axes, poses: np.ndarray) -> None:
     draw_ticks(axes, poses, poses[:, 2], 0.03, color="tab:blue", linewidth=0.8)
     dots = axes.scatter(
         -poses[:, 1], poses[:, 0], c=orientation_errors_deg(poses), s=9, zorder=3,
-        cmap="viridis_r", vmin=0.0, vmax=WORST_SHOWN_ERROR_DEG,
+        cmap=SHADES, vmin=0.0, vmax=WORST_SHOWN_ERROR_DEG,
     )
     axes.figure.colorbar(dots, ax=axes, label="orientation error [deg]", extend="max", shrink=0.8)
     axes.plot(0, 0, marker="^", color="black", markersize=9)

@@ -14,12 +14,10 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 import numpy as np  # noqa: E402
 
+from hexapod_repertoire.pictures import SHADES, WORST_SHOWN_ERROR_DEG  # noqa: E402
 from hexapod_repertoire.repertoire_data import Stored  # noqa: E402
 from hexapod_repertoire.study_style import styles  # noqa: E402
 
-WORST_SHOWN_ERROR_DEG = 10.0
-COLORS = matplotlib.colormaps["viridis_r"] if hasattr(matplotlib, "colormaps") else plt.get_cmap(
-    "viridis_r")
 PIXELS = 460
 GRID_M = 0.1
 CELL_M = 0.05
@@ -42,7 +40,7 @@ def reach_m(stored: Sequence[Stored]) -> float:
 
 
 def _color(error_deg: float) -> str:
-    return matplotlib.colors.to_hex(COLORS(min(error_deg / WORST_SHOWN_ERROR_DEG, 1.0)))
+    return matplotlib.colors.to_hex(SHADES(min(error_deg / WORST_SHOWN_ERROR_DEG, 1.0)))
 
 
 def _words(stored: Stored, i: int) -> str:
@@ -108,7 +106,7 @@ def _map(stored: Stored, half_m: float, title: str, values: np.ndarray,
         cells[row, column] = of_cell(inside)
     figure, axes = plt.subplots(figsize=(4.2, 3.6), constrained_layout=True)
     image = axes.imshow(cells, origin="lower", extent=(-half_m, half_m, -half_m, half_m),
-                        cmap="viridis_r", vmin=0.0, vmax=most)
+                        cmap=SHADES, vmin=0.0, vmax=most)
     axes.invert_xaxis()  # y points left
     axes.set(title=title, xlabel="left [m]", ylabel="forward [m]")
     axes.plot(0, 0, marker="^", color="black")

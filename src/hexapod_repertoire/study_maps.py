@@ -3,12 +3,10 @@ import pathlib
 from typing import List, Optional, Tuple
 
 import numpy as np
-from matplotlib import cm
-from matplotlib.colors import ListedColormap
 from scipy.spatial import cKDTree
 
 from hexapod_repertoire.pictures import (
-    WORST_SHOWN_ERROR_DEG, arc_heading, draw_ticks, finish_top_view)
+    SHADES, WORST_SHOWN_ERROR_DEG, arc_heading, draw_ticks, finish_top_view)
 from hexapod_repertoire.study_claims import BR, EARLY, SPARSENESS
 from hexapod_repertoire.study_data import Run, Study, label_of
 from hexapod_repertoire.study_statistics import (
@@ -18,8 +16,6 @@ from hexapod_repertoire.study_style import save, sheet
 TICK_M = 0.05
 SMALL_ERROR_DEG = 5.0
 SNAPSHOTS_SHOWN = 5
-# From light to dark, without the shades that print in grey confuses with white.
-SHADES = ListedColormap(cm.viridis_r(np.linspace(0.12, 1.0, 256)))
 # The region of interest of the paper's figure 2C.
 REGION_HALF_ANGLE_RAD = np.pi / 3.0
 REGION_ARC_LENGTH_M = 0.6

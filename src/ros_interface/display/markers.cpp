@@ -12,7 +12,7 @@
 namespace hexapod {
 namespace {
 
-constexpr double kRedError = 10.0 * M_PI / 180.0;
+constexpr double kWorstShown_rad = 10.0 * M_PI / 180.0;
 constexpr double kTickLength = 0.025;
 constexpr double kHeightAboveFloor = 0.005;
 
@@ -86,8 +86,20 @@ visualization_msgs::Marker goalArrow(const PlanPicture& picture) {
 }  // namespace
 
 std_msgs::ColorRGBA errorColor(double orientation_error_rad) {
-  const double share = std::min(1.0, std::max(0.0, orientation_error_rad / kRedError));
-  return color(std::min(1.0, 2.0 * share), std::min(0.85, 1.7 * (1.0 - share)), 0.1);
+  // SHADES of pictures.py.
+  constexpr double kScale[][3] = {{0.361, 0.786, 0.388},
+                                  {0.120, 0.622, 0.535},
+                                  {0.174, 0.445, 0.558},
+                                  {0.261, 0.247, 0.523},
+                                  {0.267, 0.005, 0.329}};
+  constexpr int kSpans = 4;
+  const double place = kSpans * std::min(1.0, std::abs(orientation_error_rad) / kWorstShown_rad);
+  const int span = std::min(kSpans - 1, static_cast<int>(place));
+  const auto mixed = [&](int channel) {
+    const double light = kScale[span][channel];
+    return light + (place - span) * (kScale[span + 1][channel] - light);
+  };
+  return color(mixed(0), mixed(1), mixed(2));
 }
 
 visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire) {

@@ -10,7 +10,8 @@
 
 namespace hexapod {
 
-/// Colour of an orientation error: green at 0, yellow at 5 degrees, red at 10 degrees and above.
+/// Colour of an orientation error, as in the pictures: from green at 0 through blue to dark violet
+/// at 10 degrees and above, darker and darker for those who do not see colours.
 std_msgs::ColorRGBA errorColor(double orientation_error_rad);
 
 /// The repertoire in the robot's base_footprint, as figure 3 of the paper: a point per end pose

@@ -41,9 +41,19 @@ TEST(RepertoireMarkers, ShowWhatFellInGrey) {
   EXPECT_EQ(points.colors[1].g, points.colors[1].b);
 }
 
-TEST(ErrorColor, GoesFromGreenToRed) {
-  EXPECT_GT(errorColor(0.0).g, errorColor(0.0).r);
-  EXPECT_GT(errorColor(M_PI).r, errorColor(M_PI).g);
+double brightness(const std_msgs::ColorRGBA& color) {
+  return 0.3 * color.r + 0.6 * color.g + 0.1 * color.b;
+}
+
+TEST(ErrorColor, GetsDarkerUntilTenDegreesForThoseWhoDoNotSeeColours) {
+  constexpr double kDegree = M_PI / 180.0;
+  for (int error = 0; error < 10; ++error) {
+    EXPECT_GT(brightness(errorColor(error * kDegree)),
+              brightness(errorColor((error + 1) * kDegree)))
+        << error;
+  }
+  EXPECT_EQ(errorColor(10.0 * kDegree), errorColor(M_PI));
+  EXPECT_EQ(errorColor(-3.0 * kDegree), errorColor(3.0 * kDegree));
 }
 
 TEST(PlanMarkers, AreDrawableBeforeDuringAndAfterAWalk) {
