@@ -13,6 +13,8 @@ constexpr std::int64_t kPoll_ns = 5'000'000;
 
 }  // namespace
 
+std::int64_t Clock::robotNow_ns() const { return isSimulated() ? toNs(rosNow()) : steadyNow_ns(); }
+
 std::int64_t SystemClock::steadyNow_ns() const { return hexapod::steadyNow_ns(); }
 
 ros::Time SystemClock::rosNow() const { return ros::Time::now(); }

@@ -33,6 +33,10 @@ class Clock {
 
   /// True when ROS time is simulated.
   virtual bool isSimulated() const { return false; }
+
+  /// What the robot lives in [ns], for how long something took it: simulated time where there is
+  /// such, else steady time.
+  std::int64_t robotNow_ns() const;
 };
 
 /// CLOCK_MONOTONIC and ros::Time.

@@ -52,13 +52,12 @@ void JointFeedback::onJointState(const Event& event) {
     askForRealtimePriority(RealtimePriority::kFeedback);
   }
   const sensor_msgs::JointState& message = *event.getConstMessage();
-  const std::int64_t ros_ns = toNs(clock_.rosNow());
-  const std::int64_t steady_ns = clock_.isSimulated() ? ros_ns : clock_.steadyNow_ns();
-  const FeedbackMerger::Result result = merger_.add({message.name,
-                                                     message.position,
-                                                     toNs(message.header.stamp),
-                                                     event.getPublisherName(),
-                                                     {ros_ns, steady_ns}});
+  const FeedbackMerger::Result result =
+      merger_.add({message.name,
+                   message.position,
+                   toNs(message.header.stamp),
+                   event.getPublisherName(),
+                   {toNs(clock_.rosNow()), clock_.robotNow_ns()}});
   if (result == FeedbackMerger::Result::kRefused) {
     ++refused_;
     const std::lock_guard<std::mutex> lock(mutex_);

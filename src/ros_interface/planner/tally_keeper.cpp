@@ -30,7 +30,8 @@ void TallyKeeper::noteClearance(double clearance_m) {
 
 WalkTally TallyKeeper::tally() const {
   WalkTally tally = tally_;
-  tally.duration_s = (clock_.rosNow() - begin_).toSec();
+  const std::int64_t duration_ns = clock_.robotNow_ns() - begin_ns_;
+  tally.duration_s = 1e-9 * static_cast<double>(std::max<std::int64_t>(0, duration_ns));
   return tally;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -14,7 +15,7 @@ namespace hexapod {
 class TallyKeeper {
  public:
   /// The walk begins. The clock must outlive it.
-  explicit TallyKeeper(const Clock& clock) : clock_(clock), begin_(clock.rosNow()) {}
+  explicit TallyKeeper(const Clock& clock) : clock_(clock), begin_ns_(clock.robotNow_ns()) {}
 
   /// Where the robot has come to rest.
   void noteRest(const Pose2& robot);
@@ -29,7 +30,7 @@ class TallyKeeper {
 
  private:
   const Clock& clock_;
-  ros::Time begin_;
+  std::int64_t begin_ns_;
   WalkTally tally_;
   std::vector<std::size_t> expected_;  // entries left of the last plan
   bool has_plan_ = false;

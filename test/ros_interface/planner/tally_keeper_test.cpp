@@ -22,6 +22,7 @@ TEST(TallyKeeper, AddsUpAWalk) {
   keeper.noteRest({0.3, 0.4, 0.0});
   keeper.noteStep({0.3, 0.36, 0.1}, {0.3, 0.4, 0.0});
   keeper.noteClearance(0.1);
+  clock.setRos(3600.0);  // a wall clock that somebody sets
   clock.pass(4 * kSecond_ns);
   keeper.noteRest({0.3, 0.9, 0.0});
   keeper.noteStep({0.3, 0.88, -0.3}, {0.3, 0.9, 0.0});
