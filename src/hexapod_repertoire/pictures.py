@@ -17,6 +17,9 @@ from matplotlib.colors import ListedColormap  # noqa: E402
 Pose = Tuple[float, float, float]
 
 WORST_SHOWN_ERROR_DEG = 10.0
+GOAL_ARROW_M = 0.15
+PANEL_INCHES = 5.0  # height
+MARGIN_INCHES = 3.2  # labels and the scale of colours, in width
 # Of errors everywhere, rviz too: dark is bad, seen in grey as well, and light still shows on white.
 SHADES = ListedColormap(cm.viridis_r(np.linspace(0.25, 1.0, 256)))
 
@@ -74,10 +77,12 @@ def draw_walks(axes, walks: Sequence[Walk]) -> None:
             points = np.asarray(poses, dtype=float).reshape(-1, 3)
             axes.plot(-points[:, 1], points[:, 0], style, color=color, linewidth=1.3)
         x_m, y_m, yaw = walk.goal
+        tip = (-y_m - GOAL_ARROW_M * math.sin(yaw), x_m + GOAL_ARROW_M * math.cos(yaw))
         axes.annotate(
-            "", xytext=(-y_m, x_m), xy=(-y_m - 0.15 * math.sin(yaw), x_m + 0.15 * math.cos(yaw)),
+            "", xytext=(-y_m, x_m), xy=tip, annotation_clip=False,
             arrowprops={"arrowstyle": "-|>", "color": color, "linewidth": 2},
         )
+        axes.update_datalim([tip])  # an annotation makes no room for itself
         axes.plot(-y_m, x_m, "o", color=color, markersize=7, label=f"goal {number + 1}")
     axes.plot(0, 0, marker="^", color="black", markersize=9)
     axes.set_title("planned (dashed) and walked (solid)")
@@ -99,5 +104,9 @@ def save_picture(path: str, repertoire: Sequence[Pose], walks: List[Walk]) -> No
     figure, (left, right) = plt.subplots(1, 2, figsize=(13, 6), constrained_layout=True)
     draw_repertoire(left, np.asarray(repertoire, dtype=float))
     draw_walks(right, walks)
-    figure.savefig(path, dpi=110)
+    # As wide as what they show: with one scale along both axes the rest would stay blank.
+    shares = [np.ptp(axes.get_xlim()) / np.ptp(axes.get_ylim()) for axes in (left, right)]
+    left.get_subplotspec().get_gridspec().set_width_ratios(shares)
+    figure.set_size_inches(PANEL_INCHES * sum(shares) + MARGIN_INCHES, PANEL_INCHES + 1.0)
+    figure.savefig(path, dpi=110, bbox_inches="tight")
     plt.close(figure)
