@@ -178,7 +178,6 @@ def demonstrate() -> int:
             injury.strike()
         rospy.loginfo("Walking to %s.", pose_text(goal))
         report = walk_to(walker, goal, frame)
-        rospy.loginfo(report.response.message)
         reports.append(report)
         planned = [to_pose(stamped.pose) for stamped in report.response.plan.poses]
         walks.append(Walk(goal, planned, trail.take()))

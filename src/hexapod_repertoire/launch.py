@@ -75,7 +75,7 @@ class Session(ROSLaunchParent, ProcessListener):
     closed, planner and executor come back when they crash.
     """
 
-    exit_code = 0
+    exit_code = INTERRUPTED  # unless a node ends it
     last_words = ""
 
     def _start_pm(self) -> None:
@@ -123,9 +123,6 @@ def colored(text: str, is_good: bool) -> str:
 
 def run_session(launch_file: str, arguments: List[str]) -> int:
     """Launches, waits for the end, tells how it ended; returns the exit code."""
-    interrupted = []
-    # roslaunch calls it after it has ended the nodes.
-    signal.signal(signal.SIGINT, lambda *_: interrupted.append(True))
     session = Session(
         get_or_generate_uuid(None, False),
         [(launch_file, arguments)],
@@ -139,8 +136,6 @@ def run_session(launch_file: str, arguments: List[str]) -> int:
         print(error, file=sys.stderr)
         return 2
     session.spin()
-    if interrupted:
-        return INTERRUPTED
     if session.last_words:
         print(colored(session.last_words, session.exit_code == 0), flush=True)
     return session.exit_code

@@ -1,9 +1,11 @@
 """A launched session ends with the exit code of the required node that ended it."""
 import os
 import pathlib
+import signal
 import socket
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -34,11 +36,33 @@ def test_a_node_that_finds_its_options_wrong_is_not_started_again(tmp_path):
     assert exit_code(tmp_path, 'respawn="true"', "exit-3", "exit-2") == 2
 
 
+def test_a_session_that_is_interrupted_says_so(tmp_path):
+    """As after Ctrl-C; the required node waits for the other one for ever."""
+    pytest.importorskip("roslaunch.parent")
+    process = launch(tmp_path, 'required="true"', "wait", "wait")
+    while not (tmp_path / "started").exists():
+        assert process.poll() is None
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    output, _ = process.communicate(timeout=30)
+    assert process.returncode == 130, output
+    assert "Traceback" not in output
+
+
 def exit_code(tmp_path, fate, other, required):
     pytest.importorskip("roslaunch.parent")
+    process = launch(tmp_path, fate, other, required)
+    print(process.communicate()[0])
+    return process.returncode
+
+
+def launch(tmp_path, fate, other, required):
+    """The running launch of the two nodes."""
     script = tmp_path / "node.sh"
     # The required one waits until the other has ended.
     script.write_text(f"""#!/bin/sh
+touch {tmp_path}/started
+case $1 in wait) exec sleep 60 ;; esac
 case $* in *__name:=required*) until [ -e {tmp_path}/ended ]; do sleep 0.05; done ;; esac
 touch {tmp_path}/ended
 case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
@@ -50,10 +74,8 @@ case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
                        ROS_IP="127.0.0.1", ROS_HOME=str(tmp_path))
     # That of these sources: the package may be that of another build.
     environment["PYTHONPATH"] = os.pathsep.join([str(ROOT / "src"), *sys.path])
-    result = subprocess.run(
+    return subprocess.Popen(
         [sys.executable, "-m", "hexapod_repertoire.launch", str(launch_file),
          f"other:={other}", f"required:={required}"],
-        env=environment, check=False, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+        env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         universal_newlines=True)
-    print(result.stdout)
-    return result.returncode
