@@ -27,20 +27,22 @@ void BeliefJudge::hear(const ToldBelief& told) {
   for (auto it = heard_.begin(); it != heard_.end();) {
     it = told.steady_now_ns - it->second.steady_ns > kFresh_ns ? heard_.erase(it) : std::next(it);
   }
-  Heard heard;
+  const Heard unheard{{}, "", 0, SourceClock(kFresh_ns)};
+  Heard& heard = heard_.emplace(told.publisher, unheard).first->second;
   heard.steady_ns = told.steady_now_ns;
-  heard.problem = problemWith(told, heard.tolerance);
-  heard_[told.publisher] = std::move(heard);
+  heard.tolerance = {};
+  heard.problem = problemWith(told, heard.clock, heard.tolerance);
 }
 
-std::string BeliefJudge::problemWith(const ToldBelief& told, JointTolerance& tolerance) const {
+std::string BeliefJudge::problemWith(const ToldBelief& told, SourceClock& clock,
+                                     JointTolerance& tolerance) const {
   const std::string who = "What " + told.publisher + " believes of the body is left out: ";
   if (told.robot_id != robot_id_) {
     return who + "it is about the robot " + told.robot_id + ", this one is " + robot_id_ +
            "; start both nodes with the same robot description.";
   }
-  const std::int64_t age_ns = told.ros_now_ns - told.stamp_ns;
-  if (std::abs(age_ns) > kFresh_ns) {
+  if (!clock.isFresh(told.stamp_ns, told.arrival)) {
+    const std::int64_t age_ns = told.arrival.ros_ns - told.stamp_ns;
     return who + "it is stamped " + std::to_string(std::abs(age_ns) / 1'000'000) + " ms " +
            (age_ns > 0 ? "ago" : "from now") +
            "; expected a fresh stamp. Synchronise the clocks of the machines.";

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "execution/leg_doubts.h"
+#include "execution/source_clock.h"
 #include "robot/robot_description.h"
 
 namespace hexapod {
@@ -15,14 +16,15 @@ struct ToldBelief {
   std::string publisher;
   std::string robot_id;
   std::vector<std::string> dead_joints;
-  std::int64_t stamp_ns = 0;
-  std::int64_t ros_now_ns = 0, steady_now_ns = 0;
+  std::int64_t stamp_ns = 0;  ///< ROS time
+  Arrival arrival;
+  std::int64_t steady_now_ns = 0;
 };
 
 /// What the executor may tolerate of what is told on body_belief.
 ///
-/// One node tells, every second: for this robot, with joints of this robot, stamped not more than
-/// three seconds ago, and no more than so many legs. While anything else comes, two nodes tell, or
+/// One node tells, every second: for this robot, with joints of this robot, freshly stamped
+/// (SourceClock), and no more than so many legs. While anything else comes, two nodes tell, or
 /// nobody does, nothing is tolerated. Not thread-safe.
 class BeliefJudge {
  public:
@@ -42,9 +44,11 @@ class BeliefJudge {
     JointTolerance tolerance;
     std::string problem;
     std::int64_t steady_ns = 0;
+    SourceClock clock;
   };
 
-  std::string problemWith(const ToldBelief& told, JointTolerance& tolerance) const;
+  std::string problemWith(const ToldBelief& told, SourceClock& clock,
+                          JointTolerance& tolerance) const;
   std::vector<std::string> talking(std::int64_t steady_now_ns) const;
 
   std::string robot_id_;

@@ -16,7 +16,8 @@ class BeliefJudgeTest : public testing::Test {
     told.publisher = "/planner";
     told.robot_id = shippedRobot().digest;
     told.dead_joints = std::move(dead_joints);
-    told.stamp_ns = told.ros_now_ns = 100 * kSecond_ns;
+    told.stamp_ns = 100 * kSecond_ns;
+    told.arrival = {told.stamp_ns, now_ns_};
     told.steady_now_ns = now_ns_;
     return told;
   }
@@ -56,6 +57,22 @@ TEST_F(BeliefJudgeTest, LeavesOutWhatIsNotAboutThisRobotNow) {
   recorded.stamp_ns -= 60 * kSecond_ns;
   judge_.hear(recorded);
   expectLeftOut("60000 ms ago");
+}
+
+TEST_F(BeliefJudgeTest, BelievesOnWhenTheClockIsSetWhileItIsTold) {
+  judge_.hear(told({"body_leg_1"}));
+  now_ns_ += kSecond_ns;
+  ToldBelief on_its_way = told({"body_leg_1"});
+  on_its_way.stamp_ns += kSecond_ns;
+  on_its_way.arrival.ros_ns -= 3600 * kSecond_ns;
+  judge_.hear(on_its_way);
+  EXPECT_EQ(judge_.tolerance(now_ns_).dead.size(), 1u);
+  EXPECT_EQ(judge_.problem(now_ns_), "");
+  now_ns_ += kSecond_ns;
+  ToldBelief after = told({"body_leg_1"});
+  after.stamp_ns = after.arrival.ros_ns = -3500 * kSecond_ns;
+  judge_.hear(after);
+  EXPECT_EQ(judge_.tolerance(now_ns_).dead.size(), 1u);
 }
 
 TEST_F(BeliefJudgeTest, LeavesOutMoreLegsThanAllowed) {

@@ -44,8 +44,12 @@ void BeliefListener::run() {
 
 void BeliefListener::onBelief(const Event& event) {
   const hexapod_repertoire::BodyBelief& message = *event.getConstMessage();
-  judge_.hear({event.getPublisherName(), message.robot_id, message.dead_joints,
-               toNs(message.header.stamp), toNs(clock_.rosNow()), clock_.steadyNow_ns()});
+  judge_.hear({event.getPublisherName(),
+               message.robot_id,
+               message.dead_joints,
+               toNs(message.header.stamp),
+               {toNs(clock_.rosNow()), clock_.robotNow_ns()},
+               clock_.steadyNow_ns()});
   apply();
 }
 
