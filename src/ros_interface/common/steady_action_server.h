@@ -20,8 +20,7 @@ namespace hexapod {
 /// - a cancel is stamped no later than it came, and one that was stamped before the clock was set
 ///   back cancels no later goals;
 /// - a goal or cancel with an id of more than kLongestId characters is left out, with a warning:
-/// ids
-///   are repeated in every status;
+///   every status repeats the ids;
 /// - how a goal ended stays in the status for 5 s of steady time: a clock that is set makes no
 ///   client lose its goal, one that stands makes no list grow.
 /// Destroyed by one thread after the last goal has ended; else from any thread.
