@@ -62,4 +62,10 @@ std::optional<std::uint64_t> unsignedFromText(const std::string& text) {
   return numberFromText<std::uint64_t>(text);
 }
 
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
 }  // namespace hexapod

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace hexapod {
 
@@ -22,5 +23,8 @@ std::string exactText(double number);
 std::optional<double> doubleFromText(const std::string& text);
 std::optional<std::int64_t> integerFromText(const std::string& text);
 std::optional<std::uint64_t> unsignedFromText(const std::string& text);
+
+/// "a, b, c".
+std::string listed(const std::vector<std::string>& words);
 
 }  // namespace hexapod

@@ -4,16 +4,11 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "simulation/kinematics.h"
 
 namespace hexapod {
 namespace {
-
-std::string listed(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
 
 std::string trimmed(const std::string& text) {
   const std::size_t first = text.find_first_not_of(" \t");

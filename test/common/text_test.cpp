@@ -51,5 +51,11 @@ TEST(Text, RefusesWhatIsNotExactlyOneNumber) {
   EXPECT_EQ(integerFromText("-9223372036854775808"), std::numeric_limits<std::int64_t>::min());
 }
 
+TEST(Text, ListsWordsWithCommasBetweenThem) {
+  EXPECT_EQ(listed({}), "");
+  EXPECT_EQ(listed({"a"}), "a");
+  EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
+}
+
 }  // namespace
 }  // namespace hexapod

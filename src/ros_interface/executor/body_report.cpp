@@ -2,14 +2,10 @@
 
 #include <ros/console.h>
 
+#include "common/text.h"
+
 namespace hexapod {
 namespace {
-
-std::string listed(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
 
 void logTolerated(const std::vector<std::string>& joints) {
   if (joints.empty()) {
