@@ -48,7 +48,7 @@ double lowestPointOfLeg(const RobotDescription& robot, std::size_t index,
   std::size_t first = 0;
   for (std::size_t i = 0; i < index; ++i) first += robot.legs[i].segments.size();
   std::vector<double> angles_rad = robot.neutralPose();
-  std::copy(leg_angles_rad.begin(), leg_angles_rad.end(), angles_rad.begin() + first);
+  std::copy(leg_angles_rad.begin(), leg_angles_rad.end(), angles_rad.data() + first);
   const std::vector<Eigen::Isometry3d> base_from_bodies = baseFromBodies(robot, angles_rad);
   double lowest_m = 1e3;
   for (std::size_t s = 0; s < leg_angles_rad.size(); ++s) {
