@@ -2,20 +2,17 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
-#include "evolution/evaluator.h"
 #include "evolution/evolution_options.h"
-#include "evolution/genome_space.h"
+#include "evolution/generational.h"
 #include "evolution/individual.h"
 #include "evolution/neighbourhood.h"
-#include "gait/symmetry.h"
 #include "repertoire/archive.h"
 
 namespace hexapod {
 
-/// BR-Evolution: Algorithm 1 of Cully & Mouret (2013), one generation per step.
+/// BR-Evolution: Algorithm 1 of Cully & Mouret (2013).
 ///
 /// Novelty search with local competition on NSGA-II, whose archive is the result: individuals whose
 /// end is new enter it, and those that end better aligned than the entry nearest to them are
@@ -46,59 +43,38 @@ namespace hexapod {
 /// - archive_parents: some parents are drawn from the archive, uniformly, or with
 ///   archive_tournament the best aligned of the entries around such a one.
 /// - novelty_refinement: the novelty threshold goes down when the archive has filled.
-/// And with an evaluator that looks more than once, only individuals whose outcome is final are
-/// offered to the archive. At the start of each generation it looks again, and yet again, at those
-/// that the archive of that moment would take by the outcome they have, themselves or a twin of
-/// theirs; who turns out to fall is then counted among the fallen.
-///
-/// Same options, evaluator and generator, same archive. Not thread-safe.
-class BrEvolution {
+/// And in a task with further looks only individuals whose outcome is final are offered to the
+/// archive. Of parents and candidates those are looked at again, and yet again, that the archive of
+/// that moment would take by the outcome they have, themselves or a twin of theirs; who turns out
+/// to fall is then counted among the fallen.
+class BrEvolution : public Generational {
  public:
   /// A new run. Throws std::invalid_argument naming an option, or a number of the space, that is
-  /// out of range. The evaluator must outlive the evolution.
-  /// `symmetries` of the robot give twins.
-  BrEvolution(const EvolutionOptions& options, const GenomeSpace& space, Evaluator& evaluator,
-              const Random& random, std::vector<Symmetry> symmetries = {});
+  /// out of range. The task's symmetries give twins.
+  BrEvolution(const EvolutionOptions& options, const Task& task, const Random& random);
 
-  /// Goes on from state() of another evolution with the same options and evaluator.
+  /// Goes on from state() of another evolution with the same options and task.
   /// Throws std::invalid_argument as above, or when the state does not fit.
-  BrEvolution(const EvolutionOptions& options, const GenomeSpace& space, Evaluator& evaluator,
-              const EvolutionState& state, std::vector<Symmetry> symmetries = {});
+  BrEvolution(const EvolutionOptions& options, const Task& task, const EvolutionState& state);
 
-  /// One generation: evaluates as many candidates as the population has, or `most_candidates` (>=
-  /// 1) if that is fewer, so that a budget of evaluations can be met exactly. The first generation
-  /// is the random initial population and counts like any other. When the evaluator throws, so does
-  /// this, and nothing has changed.
-  void step(std::int64_t most_candidates = std::numeric_limits<std::int64_t>::max());
-
+  const std::vector<Entry>& entries() const override { return archive_.entries(); }
   const Archive& archive() const { return archive_; }
-  const std::vector<Individual>& population() const { return population_; }
-  const EvolutionCounters& counters() const { return counters_; }
   /// rho, as refined so far [m].
   double noveltyThreshold() const { return novelty_threshold_m_; }
-  EvolutionState state() const;
+  EvolutionState state() const override;
 
  private:
-  std::vector<Individual> nextCandidates(std::size_t count, Random& random) const;
-  void evaluate(std::vector<Individual>& candidates) const;
-  std::vector<std::size_t> lookAgain(int look, std::vector<Individual>& pool) const;
+  std::vector<Genome> breed(std::size_t count, Random& random) const override;
+  std::vector<std::size_t> promising(const std::vector<Individual>& pool, int looks) const override;
+  void finish(Pool pool, std::size_t candidates) override;
+
   bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
-  std::vector<Individual> twins(const Individual& individual) const;
-  void countFailures(const std::vector<Individual>& pool, const std::vector<bool>& is_news);
-  std::vector<Objectives> offerToArchive(std::vector<Individual>& pool,
-                                         const std::vector<bool>& is_news);
+  std::vector<Objectives> offerToArchive(Pool& pool);
   OfferResult offer(const Individual& individual, double novelty_m);
   void refineNovelty(std::int64_t added, std::size_t candidates);
 
   EvolutionOptions options_;
-  std::vector<Symmetry> symmetries_;  // none unless twins are offered
-  GenomeSpace space_;
-  Evaluator* evaluator_;
-  Random random_;
-  std::int64_t next_id_ = 1;
   double novelty_threshold_m_;
-  EvolutionCounters counters_;
-  std::vector<Individual> population_;
   Archive archive_;
 };
 

@@ -14,6 +14,13 @@ class EvaluationCancelled : public std::runtime_error {
   EvaluationCancelled() : std::runtime_error("The evaluation was cancelled.") {}
 };
 
+/// What is asked of an evaluator: what a look says of each genome.
+struct Questions {
+  int look = 1;  ///< number of the look, 1: the first
+  std::vector<Genome> genomes;
+  std::vector<Outcome> previous;  ///< what the look before said of each; none for the first look
+};
+
 /// Tells what genomes do. All that evolution knows of the task.
 ///
 /// It may do so in steps: a first look at every candidate, and costlier further ones at those few
@@ -38,5 +45,14 @@ class Evaluator {
     return previous;
   }
 };
+
+/// The evaluator's answers: one outcome per genome, in the same order. Nobody is bothered with no
+/// genomes.
+inline std::vector<Outcome> answersOf(Evaluator& evaluator, const Questions& questions) {
+  if (questions.genomes.empty()) return {};
+  return questions.look == 1
+             ? evaluator.evaluate(questions.genomes)
+             : evaluator.lookAgain(questions.look, questions.genomes, questions.previous);
+}
 
 }  // namespace hexapod

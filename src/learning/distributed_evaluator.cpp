@@ -18,8 +18,8 @@ std::vector<Value> part(const std::vector<Value>& values, std::size_t begin, std
           values.begin() + static_cast<std::ptrdiff_t>(end)};
 }
 
-Task partOf(const Task& task, std::size_t begin, std::size_t end) {
-  return {task.look, part(task.genomes, begin, end), part(task.previous, begin, end)};
+Questions partOf(const Questions& all, std::size_t begin, std::size_t end) {
+  return {all.look, part(all.genomes, begin, end), part(all.previous, begin, end)};
 }
 
 }  // namespace
@@ -68,18 +68,18 @@ std::size_t DistributedEvaluator::endOfPart(std::size_t p, std::size_t batch) co
   return batch * static_cast<std::size_t>(until) / static_cast<std::size_t>(total);
 }
 
-std::vector<Outcome> DistributedEvaluator::spread(const Task& whole) {
+std::vector<Outcome> DistributedEvaluator::spread(const Questions& whole) {
   const std::size_t batch = whole.genomes.size();
-  const Task own = partOf(whole, 0, endOfPart(0, batch));
-  std::vector<Task> tasks;
+  const Questions own = partOf(whole, 0, endOfPart(0, batch));
+  std::vector<Questions> parts;
   for (std::size_t w = 0; w < workers_.size(); ++w) {
-    tasks.push_back(partOf(whole, endOfPart(w, batch), endOfPart(w + 1, batch)));
-    if (workers_[w]) workers_[w]->send(toMessage(tasks[w]));
+    parts.push_back(partOf(whole, endOfPart(w, batch), endOfPart(w + 1, batch)));
+    if (workers_[w]) workers_[w]->send(toMessage(parts[w]));
   }
   std::vector<Outcome> outcomes;
   std::exception_ptr failure;
   try {
-    outcomes = outcomesOf(*local_, own);
+    outcomes = answersOf(*local_, own);
   } catch (...) {
     failure = std::current_exception();
   }
@@ -89,7 +89,7 @@ std::vector<Outcome> DistributedEvaluator::spread(const Task& whole) {
   for (std::size_t w = 0; w < workers_.size(); ++w) {
     if (!workers_[w]) continue;
     std::optional<Result> result = receiveFrom(w);
-    if (!result) result = Result{failure ? std::vector<Outcome>() : outcomesOf(*local_, tasks[w])};
+    if (!result) result = Result{failure ? std::vector<Outcome>() : answersOf(*local_, parts[w])};
     outcomes.insert(outcomes.end(), result->outcomes.begin(), result->outcomes.end());
     remote_simulations_ += result->simulations;
     cancelled |= result->cancelled;
@@ -110,12 +110,6 @@ std::optional<Result> DistributedEvaluator::receiveFrom(std::size_t worker) {
   return std::nullopt;
 }
 
-std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Task& task) {
-  if (task.genomes.empty()) return {};
-  return task.look == 1 ? evaluator.evaluate(task.genomes)
-                        : evaluator.lookAgain(task.look, task.genomes, task.previous);
-}
-
 void serve(Channel& master, const Introduction& own, Evaluator& evaluator,
            const std::function<std::int64_t()>& simulations) {
   const std::atomic<bool> never{false};
@@ -126,7 +120,7 @@ void serve(Channel& master, const Introduction& own, Evaluator& evaluator,
     Result result;
     const std::int64_t before = simulations();
     try {
-      result.outcomes = outcomesOf(evaluator, taskFrom(*message));
+      result.outcomes = answersOf(evaluator, questionsFrom(*message));
     } catch (const EvaluationCancelled&) {
       result.cancelled = true;
     } catch (const std::exception& error) {

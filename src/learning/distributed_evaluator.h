@@ -40,7 +40,7 @@ class DistributedEvaluator : public Evaluator {
   std::int64_t remoteSimulations() const { return remote_simulations_; }
 
  private:
-  std::vector<Outcome> spread(const Task& whole);
+  std::vector<Outcome> spread(const Questions& whole);
   /// Nothing from a worker that is given up herewith.
   std::optional<Result> receiveFrom(std::size_t worker);
   /// The end of the part of process `p` of a batch; process 0 is this one.
@@ -54,12 +54,9 @@ class DistributedEvaluator : public Evaluator {
   std::int64_t remote_simulations_ = 0;
 };
 
-/// What one evaluator makes of a task.
-std::vector<Outcome> outcomesOf(Evaluator& evaluator, const Task& task);
-
-/// The other side: introduces itself and does one task after another until an empty message comes.
-/// `simulations` counts what the evaluator has simulated so far. What throws EvaluationCancelled
-/// here ends the run as a whole.
+/// The other side: introduces itself and answers one part after another until an empty message
+/// comes. `simulations` counts what the evaluator has simulated so far. What throws
+/// EvaluationCancelled here ends the run as a whole.
 void serve(Channel& master, const Introduction& own, Evaluator& evaluator,
            const std::function<std::int64_t()>& simulations);
 

@@ -3,6 +3,7 @@
 #include <limits>
 #include <set>
 
+#include "evolution/algorithms.h"
 #include "repertoire/digest.h"
 #include "robot/dimensions.h"
 
@@ -45,12 +46,18 @@ std::vector<Option> declareOptions(LearnOptions& options) {
       option("seed", options.seed, "Seed of everything random; same seed, same repertoire.", 0,
              std::numeric_limits<std::int32_t>::max()),
       option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
+      option("algorithm", options.algorithm,
+             "What breeds the candidates and keeps the entries: BR-Evolution, or MAP-Elites on a "
+             "grid or on Voronoi cells, which takes population_size, mutation_rate and offer_twins "
+             "of BR-Evolution's options, not the others.",
+             algorithmNames()),
       option("engine", options.engine,
              "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05),
       option("length_scale", options.length_scale, "",
-             "novelty_threshold_m and novelty_threshold_min_m are multiplied with it and "
+             "novelty_threshold_m, novelty_threshold_min_m, cell_m and cvt_radius_m are multiplied "
+             "with it and "
              "spread_weight_rad_per_m is divided by it; 0: by the reach of the robot's legs over "
              "the 0.29 m that these are made for.",
              0.0, 1000.0),
@@ -75,8 +82,8 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "Under mpirun: a process that has not answered for so long is given up, and this one "
              "does its part; 0: never.",
              0.0, 86400.0)};
-  for (auto& more : {declareOptions(options.evolution), declareOptions(options.behavior),
-                     declareOptions(options.robustness)}) {
+  for (auto& more : {declareOptions(options.evolution), declareOptions(options.map_elites),
+                     declareOptions(options.behavior), declareOptions(options.robustness)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -86,6 +93,8 @@ LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options) {
   if (options.length_scale == 0.0) options.length_scale = lengthScale(robot);
   options.evolution.novelty_threshold_m *= options.length_scale;
   options.evolution.novelty_threshold_min_m *= options.length_scale;
+  options.map_elites.cell_m *= options.length_scale;
+  options.map_elites.cvt_radius_m *= options.length_scale;
   options.robustness.spread_weight_rad_per_m /= options.length_scale;
   return options;
 }

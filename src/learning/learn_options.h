@@ -8,6 +8,7 @@
 #include "common/options.h"
 #include "evaluation/robust_options.h"
 #include "evolution/evolution_options.h"
+#include "evolution/map_elites_options.h"
 #include "gait/behavior_options.h"
 #include "robot/robot_description.h"
 #include "simulation/world.h"
@@ -24,6 +25,7 @@ struct LearnOptions {
   double time_budget_s = 0.0;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
+  std::string algorithm = "br_evolution";
   std::string engine = "reduced";
   double step_s = 0.015;
   double length_scale = 0.0;  ///< of all lengths below; 0: the robot's own
@@ -34,6 +36,7 @@ struct LearnOptions {
   std::int64_t cached_genomes = 300000;
   double worker_patience_s = 60.0;
   EvolutionOptions evolution;
+  MapElitesOptions map_elites;
   BehaviorOptions behavior;
   RobustnessOptions robustness;
 };

@@ -1,5 +1,6 @@
 #include "learning/learning_run.h"
 
+#include "evolution/algorithms.h"
 #include "gait/behavior.h"
 #include "repertoire/metrics.h"
 #include "robot/dimensions.h"
@@ -7,14 +8,14 @@
 namespace hexapod {
 namespace {
 
-BrEvolution makeEvolution(const RobotDescription& robot, const LearnOptions& options,
-                          CandidateEvaluator& evaluator, const std::optional<Resumed>& resumed) {
-  if (resumed) {
-    return BrEvolution(options.evolution, robot.geneCount(), evaluator.evaluator(),
-                       resumed->checkpoint.evolution, evaluator.symmetries());
-  }
-  return BrEvolution(options.evolution, robot.geneCount(), evaluator.evaluator(),
-                     Random(static_cast<std::uint64_t>(options.seed)), evaluator.symmetries());
+std::unique_ptr<Generational> algorithmOf(const RobotDescription& robot,
+                                          const LearnOptions& options,
+                                          CandidateEvaluator& evaluator,
+                                          const std::optional<Resumed>& resumed) {
+  const AlgorithmChoice choice{options.algorithm, options.evolution, options.map_elites};
+  const Task task(robot.geneCount(), evaluator.evaluator().looks(), evaluator.symmetries());
+  return resumed ? makeAlgorithm(choice, task, resumed->checkpoint.evolution)
+                 : makeAlgorithm(choice, task, Random(static_cast<std::uint64_t>(options.seed)));
 }
 
 }  // namespace
@@ -28,7 +29,7 @@ LearningRun::LearningRun(const RobotDescription& robot, const LearnOptions& opti
       worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
                                           static_cast<int>(options.threads))),
       evaluator_(worlds_, options, cancelled, workers),
-      evolution_(makeEvolution(robot, options, evaluator_, resumed)) {
+      algorithm_(algorithmOf(robot, options, evaluator_, resumed)) {
   if (resumed) goOn(*resumed);
 }
 
@@ -52,7 +53,9 @@ bool LearningRun::budgetIsLeft() const {
   return time_is_left && counters().evaluations < options_.evaluations;
 }
 
-void LearningRun::step() { evolution_.step(options_.evaluations - counters().evaluations); }
+void LearningRun::step() {
+  advance(*algorithm_, evaluator_.evaluator(), options_.evaluations - counters().evaluations);
+}
 
 void LearningRun::recordHistory() {
   if (!history_.empty() && history_.back().evaluations == counters().evaluations) return;
@@ -121,7 +124,7 @@ Repertoire LearningRun::repertoire() const {
 }
 
 Checkpoint LearningRun::checkpoint(LearningPhase phase) const {
-  return {evolution_.state(), phase, elapsed_s_, simulations(), dropped_};
+  return {algorithm_->state(), phase, elapsed_s_, simulations(), dropped_};
 }
 
 }  // namespace hexapod

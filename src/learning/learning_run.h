@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "evolution/br_evolution.h"
+#include "evolution/generational.h"
 #include "learning/candidate_evaluator.h"
 #include "learning/checkpoint.h"
 #include "learning/learn_options.h"
@@ -42,7 +42,7 @@ class LearningRun {
   const LearnOptions& options() const { return options_; }
   const EngineChoice& engine() const { return engine_; }
   const std::shared_ptr<WorldPool>& worlds() const { return worlds_; }
-  const EvolutionCounters& counters() const { return evolution_.counters(); }
+  const EvolutionCounters& counters() const { return algorithm_->counters(); }
   const HistoryRow* newestRow() const { return history_.empty() ? nullptr : &history_.back(); }
   std::int64_t simulations() const { return earlier_simulations_ + evaluator_.simulations(); }
   std::int64_t known() const { return evaluator_.known(); }
@@ -59,7 +59,7 @@ class LearningRun {
   void recordHistory();
 
   /// All entries of the archive, those that were dropped as well, as they were learned.
-  const std::vector<Entry>& learned() const { return evolution_.archive().entries(); }
+  const std::vector<Entry>& learned() const { return algorithm_->entries(); }
   /// The entries that were not dropped, with their executions.
   std::vector<Entry> entries() const;
   std::size_t dropped() const { return dropped_.size(); }
@@ -84,7 +84,7 @@ class LearningRun {
   EngineChoice engine_;
   std::shared_ptr<WorldPool> worlds_;
   CandidateEvaluator evaluator_;
-  BrEvolution evolution_;
+  std::unique_ptr<Generational> algorithm_;
   LearningPhase phase_found_ = LearningPhase::kEvolving;
   std::vector<HistoryRow> history_;
   std::map<std::int64_t, Execution> executions_;  // by id of the entry

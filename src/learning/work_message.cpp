@@ -105,12 +105,12 @@ std::string toMessage(const Introduction& introduction) {
   return writer.bytes();
 }
 
-std::string toMessage(const Task& task) {
+std::string toMessage(const Questions& questions) {
   Writer writer;
-  writer.number(static_cast<std::int32_t>(task.look));
-  writer.count(task.genomes.size());
-  for (const Genome& genome : task.genomes) writer.text({genome.begin(), genome.end()});
-  writer.outcomes(task.previous);
+  writer.number(static_cast<std::int32_t>(questions.look));
+  writer.count(questions.genomes.size());
+  for (const Genome& genome : questions.genomes) writer.text({genome.begin(), genome.end()});
+  writer.outcomes(questions.previous);
   return writer.bytes();
 }
 
@@ -133,18 +133,18 @@ Introduction introductionFrom(const std::string& message) {
   return introduction;
 }
 
-Task taskFrom(const std::string& message) {
+Questions questionsFrom(const std::string& message) {
   Reader reader(message);
-  Task task;
-  task.look = reader.number<std::int32_t>();
-  task.genomes.resize(reader.count());
-  for (Genome& genome : task.genomes) {
+  Questions questions;
+  questions.look = reader.number<std::int32_t>();
+  questions.genomes.resize(reader.count());
+  for (Genome& genome : questions.genomes) {
     const std::string levels = reader.text();
     genome.assign(levels.begin(), levels.end());
   }
-  task.previous = reader.outcomes();
+  questions.previous = reader.outcomes();
   reader.requireEnd();
-  return task;
+  return questions;
 }
 
 Result resultFrom(const std::string& message) {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "gait/genome.h"
+#include "evolution/evaluator.h"
 #include "gait/outcome.h"
 
 namespace hexapod {
@@ -19,16 +19,9 @@ struct Introduction {
   std::string problem;  ///< a sentence when it cannot work, else empty
 };
 
-/// A part of a batch.
-struct Task {
-  int look = 1;
-  std::vector<Genome> genomes;
-  std::vector<Outcome> previous;  ///< per genome; none for the first look
-};
-
-/// The answer to a task.
+/// The answers to a part of the questions.
 struct Result {
-  std::vector<Outcome> outcomes = {};  ///< per genome of the task
+  std::vector<Outcome> outcomes = {};  ///< per genome asked about
   std::int64_t simulations = 0;        ///< behaviours simulated for it
   std::string problem = {};            ///< a sentence when it could not be done, else empty
   bool cancelled = false;              ///< the worker was asked to stop: so is the run
@@ -36,12 +29,12 @@ struct Result {
 
 /// Neither is ever empty, so an empty message can mean the end.
 std::string toMessage(const Introduction& introduction);
-std::string toMessage(const Task& task);
+std::string toMessage(const Questions& questions);
 std::string toMessage(const Result& result);
 
 /// The ways back. Throw std::runtime_error when the message is cut short, too long or garbled.
 Introduction introductionFrom(const std::string& message);
-Task taskFrom(const std::string& message);
+Questions questionsFrom(const std::string& message);
 Result resultFrom(const std::string& message);
 
 }  // namespace hexapod

@@ -1,44 +1,28 @@
 #include "study/methods.h"
 
-#include <functional>
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
+#include "common/text.h"
+#include "evolution/algorithms.h"
+#include "evolution/k_means.h"
+#include "evolution/targets.h"
 #include "repertoire/metrics.h"
-#include "study/br_method.h"
-#include "study/k_means.h"
-#include "study/map_elites.h"
-#include "study/targets_method.h"
 
 namespace hexapod {
 namespace {
 
-using Maker =
-    std::function<std::unique_ptr<Method>(const Task&, const StudyOptions&, const Random&)>;
+constexpr const char* kTargets = "targets";
 
-std::unique_ptr<Method> makeBrEvolution(const Task& task, const StudyOptions& options,
-                                        const Random& random) {
-  return std::make_unique<BrMethod>(options.evolution, task.space, *task.evaluator, random,
-                                    task.symmetries);
-}
-
-std::unique_ptr<Method> makeTargets(const Task& task, const StudyOptions& options,
-                                    const Random& random) {
-  return std::make_unique<TargetsMethod>(options.evolution, task.space, *task.evaluator, random,
-                                         controlTargets(options), options.target_radius_m);
-}
-
-std::unique_ptr<Method> makeMapElites(const Task& task, const StudyOptions& options,
-                                      const Random& random) {
-  return std::make_unique<MapElites>(options.evolution, task.space, *task.evaluator, random,
-                                     options.cell_m);
-}
-
-/// One line for every algorithm.
-const std::vector<std::pair<std::string, Maker>>& makers() {
-  static const std::vector<std::pair<std::string, Maker>> kMakers = {
-      {"br_evolution", makeBrEvolution}, {"targets", makeTargets}, {"map_elites", makeMapElites}};
-  return kMakers;
+Method makeTargets(const Task& task, const StudyOptions& options, const Random& random) {
+  auto targets = std::make_unique<Targets>(options.evolution, task.space, random,
+                                           controlTargets(options), options.target_radius_m);
+  const Targets* found = targets.get();
+  return {std::move(targets), [found] {
+            return std::map<std::string, std::vector<Entry>>{{"nearest", found->nearest()},
+                                                             {"orientation", found->bestAligned()}};
+          }};
 }
 
 }  // namespace
@@ -49,19 +33,25 @@ std::vector<Target> controlTargets(const StudyOptions& options) {
 }
 
 std::vector<std::string> methodNames() {
-  std::vector<std::string> names;
-  for (const auto& [name, make] : makers()) names.push_back(name);
+  std::vector<std::string> names = algorithmNames();
+  names.insert(names.begin() + 1, kTargets);
   return names;
 }
 
-std::unique_ptr<Method> makeMethod(const std::string& name, const Task& task,
-                                   const StudyOptions& options, const Random& random) {
-  std::string known;
-  for (const auto& [maker_name, make] : makers()) {
-    if (maker_name == name) return make(task, options, random);
-    known += (known.empty() ? "" : ", ") + maker_name;
+Method makeMethod(const std::string& name, const Task& task, const StudyOptions& options,
+                  const Random& random) {
+  const std::vector<std::string> names = methodNames();
+  if (std::find(names.begin(), names.end(), name) == names.end()) {
+    throw std::invalid_argument("There is no algorithm '" + name + "'; there are " + listed(names) +
+                                ".");
   }
-  throw std::invalid_argument("There is no algorithm '" + name + "'; there are " + known + ".");
+  if (name == kTargets) return makeTargets(task, options, random);
+  std::unique_ptr<Algorithm> algorithm =
+      makeAlgorithm({name, options.evolution, options.map_elites}, task, random);
+  const Algorithm* found = algorithm.get();
+  return {std::move(algorithm), [found, name] {
+            return std::map<std::string, std::vector<Entry>>{{name, found->entries()}};
+          }};
 }
 
 }  // namespace hexapod

@@ -4,8 +4,8 @@
 #include <stdexcept>
 
 #include "common/text.h"
+#include "evolution/k_means.h"
 #include "repertoire/metrics.h"
-#include "study/k_means.h"
 #include "study/methods.h"
 
 namespace hexapod {

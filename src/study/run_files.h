@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "evolution/target.h"
 #include "study/study_options.h"
-#include "study/target_evolution.h"
 
 namespace hexapod {
 

@@ -40,14 +40,15 @@ RunRecorder::RunRecorder(const std::string& folder)
 }
 
 void RunRecorder::record(const Method& method, std::int64_t simulations, double wall_s) {
-  const std::int64_t evaluations = method.evaluations();
+  const std::int64_t evaluations = method.algorithm->counters().evaluations;
   if (historyMark(evaluations) > history_written_) writeHistory(method, simulations, wall_s);
   if (snapshotMark(evaluations) > entries_written_) writeEntries(method);
 }
 
 void RunRecorder::finish(const Method& method, std::int64_t simulations, double wall_s) {
-  if (history_written_ < method.evaluations()) writeHistory(method, simulations, wall_s);
-  if (entries_written_ < method.evaluations()) writeEntries(method);
+  if (history_written_ < method.algorithm->counters().evaluations)
+    writeHistory(method, simulations, wall_s);
+  if (entries_written_ < method.algorithm->counters().evaluations) writeEntries(method);
   history_.close();
   entries_.close();
   if (history_ && entries_) return;
@@ -60,7 +61,7 @@ void RunRecorder::writeHistory(const Method& method, std::int64_t simulations, d
     const RepertoireMetrics metrics = measure(learnedEndings(entries));
     const auto unless = [](bool absent, double value) { return absent ? "" : exactText(value); };
     const bool none = metrics.endings == 0;
-    history_ << name << ',' << std::to_string(method.evaluations()) << ','
+    history_ << name << ',' << std::to_string(method.algorithm->counters().evaluations) << ','
              << std::to_string(simulations) << ',' << exactText(wall_s) << ','
              << std::to_string(metrics.endings) << ',' << std::to_string(metrics.endings_in_region)
              << ',' << unless(none, metrics.sparseness_m) << ','
@@ -69,19 +70,19 @@ void RunRecorder::writeHistory(const Method& method, std::int64_t simulations, d
              << exactText(metrics.density_in_region_per_dm2) << ','
              << exactText(metrics.max_reach_m) << '\n';
   }
-  history_written_ = method.evaluations();
+  history_written_ = method.algorithm->counters().evaluations;
 }
 
 void RunRecorder::writeEntries(const Method& method) {
   for (const auto& [name, entries] : method.repertoires()) {
     for (const Entry& entry : entries) {
-      entries_ << name << ',' << std::to_string(method.evaluations()) << ','
+      entries_ << name << ',' << std::to_string(method.algorithm->counters().evaluations) << ','
                << exactText(entry.end_pose.x_m) << ',' << exactText(entry.end_pose.y_m) << ','
                << exactText(entry.end_pose.yaw_rad) << ',' << exactText(entry.cost) << ','
                << toString(entry.genome) << '\n';
     }
   }
-  entries_written_ = method.evaluations();
+  entries_written_ = method.algorithm->counters().evaluations;
 }
 
 }  // namespace hexapod

@@ -4,7 +4,7 @@
 #include <fstream>
 #include <string>
 
-#include "study/method.h"
+#include "study/methods.h"
 
 namespace hexapod {
 

@@ -15,12 +15,12 @@ std::vector<Option> declareOptions(StudyOptions& options) {
              "The control orientation keeps the best aligned controller that ends this near to a "
              "target.",
              0.001, 10.0),
-      option("cell_m", options.cell_m, "m", "Side of the square cells of MAP-Elites.", 0.001, 10.0),
       option("engine", options.engine,
              "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05)};
-  for (auto& more : {declareOptions(options.evolution), declareOptions(options.behavior)}) {
+  for (auto& more : {declareOptions(options.evolution), declareOptions(options.map_elites),
+                     declareOptions(options.behavior)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;

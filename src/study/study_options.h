@@ -6,6 +6,7 @@
 
 #include "common/options.h"
 #include "evolution/evolution_options.h"
+#include "evolution/map_elites_options.h"
 #include "gait/behavior_options.h"
 
 namespace hexapod {
@@ -16,10 +17,10 @@ struct StudyOptions {
   std::int64_t targets = 100;     ///< of the control experiments
   std::int64_t targets_seed = 1;  ///< of the K-means that spreads them
   double target_radius_m = 0.10;  ///< "orientation" looks no further from a target [m]
-  double cell_m = 0.05;           ///< side of MAP-Elites' cells [m]
   std::string engine = "reduced";
   double step_s = 0.015;
   EvolutionOptions evolution;
+  MapElitesOptions map_elites;
   BehaviorOptions behavior;
 };
 

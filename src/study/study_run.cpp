@@ -38,22 +38,23 @@ RunResult performRun(const RobotDescription& robot, const StudyOptions& options,
   BehaviorEvaluator simulator(std::make_shared<WorldPool>(engine.engine, robot, physics, 1),
                               options.behavior);
   CachedEvaluator evaluator(simulator, kCachedGenomes);
-  const std::unique_ptr<Method> method =
-      makeMethod(plan.algorithm, {robot.geneCount(), &evaluator, symmetriesOf(robot)}, options,
-                 Random(static_cast<std::uint64_t>(plan.seed)));
+  const Method method =
+      makeMethod(plan.algorithm, {robot.geneCount(), evaluator.looks(), symmetriesOf(robot)},
+                 options, Random(static_cast<std::uint64_t>(plan.seed)));
+  const EvolutionCounters& counters = method.algorithm->counters();
   RunRecorder recorder(folder);
-  while (method->evaluations() < plan.evaluations) {
-    method->step(plan.evaluations - method->evaluations());
-    recorder.record(*method, simulator.counts().simulations, watch.seconds());
+  while (counters.evaluations < plan.evaluations) {
+    advance(*method.algorithm, evaluator, plan.evaluations - counters.evaluations);
+    recorder.record(method, simulator.counts().simulations, watch.seconds());
   }
-  recorder.finish(*method, simulator.counts().simulations, watch.seconds());
+  recorder.finish(method, simulator.counts().simulations, watch.seconds());
   if (plan.algorithm == "targets") {
     writeTargets(folder + "/targets.csv", controlTargets(options));
   }
   RunFacts facts = factsOf(options);
   facts["algorithm"] = plan.algorithm;
   facts["seed"] = std::to_string(plan.seed);
-  facts["evaluations"] = std::to_string(method->evaluations());
+  facts["evaluations"] = std::to_string(counters.evaluations);
   facts["simulations"] = std::to_string(simulator.counts().simulations);
   facts["wall_s"] = exactText(watch.seconds());
   facts["engine"] = toString(engine.engine);
@@ -62,7 +63,7 @@ RunResult performRun(const RobotDescription& robot, const StudyOptions& options,
   facts["version"] = PACKAGE_VERSION;
   writeRunFacts(folder + "/run.csv", facts);
   RunResult result{watch.seconds(), {}};
-  for (const auto& [name, entries] : method->repertoires()) {
+  for (const auto& [name, entries] : method.repertoires()) {
     result.repertoires[name] = measure(learnedEndings(entries));
   }
   return result;

@@ -46,8 +46,8 @@ std::vector<Genome> evolvedCandidates(const BenchCase& bench_case, std::size_t c
       std::make_shared<WorldPool>(Engine::kReduced, bench_case.robot, bench_case.physics, threads),
       BehaviorOptions());
   Recorder recorder(evaluator);
-  BrEvolution evolution(EvolutionOptions(), bench_case.robot.geneCount(), recorder, Random(seed));
-  while (recorder.asked().size() < 2 * count + 2000) evolution.step();
+  BrEvolution evolution(EvolutionOptions(), bench_case.robot.geneCount(), Random(seed));
+  while (recorder.asked().size() < 2 * count + 2000) advance(evolution, recorder);
   return {recorder.asked().rbegin(), recorder.asked().rend()};
 }
 

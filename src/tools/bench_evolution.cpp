@@ -37,18 +37,18 @@ class Lottery : public Evaluator {
 
 GenerationCost measureGeneration(std::size_t archive, std::size_t gene_count) {
   Lottery evaluator;
-  BrEvolution young(EvolutionOptions(), gene_count, evaluator, Random(1));
-  for (int generation = 0; generation < 3; ++generation) young.step();
+  BrEvolution young(EvolutionOptions(), gene_count, Random(1));
+  for (int generation = 0; generation < 3; ++generation) advance(young, evaluator);
   EvolutionState state = young.state();
   state.archive = spreadArchive(archive, gene_count);
-  BrEvolution evolution(EvolutionOptions(), gene_count, evaluator, state);
-  evolution.step();
+  BrEvolution evolution(EvolutionOptions(), gene_count, state);
+  advance(evolution, evaluator);
   GenerationCost cost;
   cost.archive = archive;
   cost.candidates = static_cast<std::size_t>(EvolutionOptions().population_size);
   const double begin_s = threadCpu_s();
   int generations = 0;
-  for (; threadCpu_s() - begin_s < kMeasuringTime_s; ++generations) evolution.step();
+  for (; threadCpu_s() - begin_s < kMeasuringTime_s; ++generations) advance(evolution, evaluator);
   cost.cpu_s = (threadCpu_s() - begin_s) / generations;
   cost.peak_memory_mb = peakMemory_mb();
   return cost;

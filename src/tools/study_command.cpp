@@ -66,7 +66,6 @@ void applyLearnFile(const std::string& file, StudyOptions& study) {
 }  // namespace
 
 std::vector<Option> declareOptions(StudyCommand& command) {
-  if (command.algorithms.empty()) command.algorithms = joined(methodNames());
   constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
   std::vector<Option> all = {
       option("help", command.help, "Print this text."),

@@ -12,7 +12,7 @@ namespace hexapod {
 /// What the program study can be told; the defaults are the paper's study.
 struct StudyCommand {
   std::string folder = "study";
-  std::string algorithms;  ///< names with commas between
+  std::string algorithms = "br_evolution,targets,map_elites";  ///< names with commas between
   std::int64_t runs = 40;
   std::int64_t first_seed = 1;
   std::int64_t evaluations = 1000000;

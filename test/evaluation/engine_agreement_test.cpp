@@ -64,8 +64,8 @@ std::vector<Entry> evolved(Engine engine, const RobotDescription& robot) {
   EvolutionOptions options;
   options.population_size = 20;
   options.novelty_threshold_m = 0.05;
-  BrEvolution evolution(options, robot.geneCount(), evaluator, Random(3));
-  while (evolution.counters().evaluations < 120) evolution.step();
+  BrEvolution evolution(options, robot.geneCount(), Random(3));
+  while (evolution.counters().evaluations < 120) advance(evolution, evaluator);
   return evolution.archive().entries();
 }
 

@@ -32,8 +32,8 @@ End playToTheEnd(World& world, const Behavior& behavior) {
 std::vector<Genome> mixedGenomes(const std::shared_ptr<WorldPool>& worlds) {
   std::vector<Genome> genomes = randomGenomes(worlds->robot(), 120, 11);
   BehaviorEvaluator evaluator(worlds, BehaviorOptions());
-  BrEvolution evolution(EvolutionOptions(), worlds->robot().geneCount(), evaluator, Random(11));
-  while (evolution.archive().size() < 120) evolution.step();
+  BrEvolution evolution(EvolutionOptions(), worlds->robot().geneCount(), Random(11));
+  while (evolution.archive().size() < 120) advance(evolution, evaluator);
   for (std::size_t i = 0; i < 120; ++i) {
     genomes.push_back(evolution.archive().entries()[i].genome);
   }

@@ -4,7 +4,7 @@
 #include <map>
 #include <set>
 
-#include "analytic_evaluator.h"
+#include "demanding_evaluators.h"
 #include "evolution/br_evolution.h"
 #include "evolution/evolution_state.h"
 #include "geometry/pose2.h"
@@ -12,67 +12,6 @@
 
 namespace hexapod {
 namespace {
-
-constexpr std::size_t kGenes = 16;
-
-/// Legs 0, 1 on the left and 2, 3 on the right side exchange their genes.
-Symmetry leftRight() {
-  std::vector<Symmetry::LegImage> legs(4);
-  for (std::size_t leg = 0; leg < 4; ++leg) legs[leg].leg = (leg + 2) % 4;
-  return Symmetry(1.0, -1.0, legs);
-}
-
-/// A stand-in for a robot with that symmetry: outcomes of images are images of outcomes.
-class SymmetricEvaluator : public AnalyticEvaluator {
- public:
-  SymmetricEvaluator() : AnalyticEvaluator(7, kGenes) {}
-  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
-    calls += 1;
-    candidates += static_cast<std::int64_t>(genomes.size());
-    std::vector<Outcome> outcomes;
-    for (const Genome& genome : genomes) {
-      const Genome image = leftRight().image(genome);
-      outcomes.push_back(image < genome ? leftRight().image(outcomeOf(image)) : outcomeOf(genome));
-    }
-    return outcomes;
-  }
-};
-
-/// The first look knows no falls and no heading; the second one knows the falls, and the last one
-/// all. (It may be the same.)
-class CarefulEvaluator : public AnalyticEvaluator {
- public:
-  explicit CarefulEvaluator(int looks = 2) : AnalyticEvaluator(7, kGenes), looks_(looks) {}
-  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
-    std::vector<Outcome> outcomes = AnalyticEvaluator::evaluate(genomes);
-    for (Outcome& outcome : outcomes) {
-      if (outcome.walked()) outcome.cost *= 0.5;
-    }
-    return outcomes;
-  }
-  int looks() const override { return looks_; }
-  std::vector<Outcome> lookAgain(int look, const std::vector<Genome>& genomes,
-                                 const std::vector<Outcome>& previous) override {
-    counts[look] += static_cast<std::int64_t>(genomes.size());
-    std::vector<Outcome> outcomes;
-    for (std::size_t i = 0; i < genomes.size(); ++i) {
-      Outcome outcome = outcomeOf(genomes[i]);
-      const double before = look == 2 ? 0.5 : 0.75;
-      EXPECT_EQ(previous[i].cost, before * outcome.cost);
-      if (look < looks_) outcome.cost *= 0.75;
-      if (look == looks_) seen_to_the_end.insert(genomes[i]);
-      const bool falls = genomes[i][0] == 4 && genomes[i][4] == 4;
-      outcomes.push_back(falls ? Outcome{Verdict::kFell, {}, 0.0} : outcome);
-    }
-    return outcomes;
-  }
-
-  std::set<Genome> seen_to_the_end;
-  std::map<int, std::int64_t> counts;  // of genomes, by look
-
- private:
-  int looks_;
-};
 
 /// Keeps the last batch.
 class RecordingEvaluator : public AnalyticEvaluator {
@@ -85,23 +24,17 @@ class RecordingEvaluator : public AnalyticEvaluator {
   std::vector<Genome> genomes;
 };
 
-EvolutionOptions withTwins() {
-  EvolutionOptions options;
-  options.offer_twins = true;
-  return options;
-}
-
 RepertoireMetrics metricsOf(const BrEvolution& evolution) {
   return measure(learnedEndings(evolution.archive().entries()));
 }
 
 TEST(Twins, CostNoEvaluationAndFillTheArchive) {
   SymmetricEvaluator evaluator;
-  BrEvolution alone({}, kGenes, evaluator, Random(1), {leftRight()});
-  BrEvolution paired(withTwins(), kGenes, evaluator, Random(1), {leftRight()});
+  BrEvolution alone({}, pairs(), Random(1));
+  BrEvolution paired(withTwins(), pairs(), Random(1));
   for (int generation = 0; generation < 40; ++generation) {
-    alone.step();
-    paired.step();
+    advance(alone, evaluator);
+    advance(paired, evaluator);
   }
   EXPECT_EQ(paired.counters().evaluations, 4000);
   EXPECT_EQ(evaluator.candidates, 8000);
@@ -111,8 +44,8 @@ TEST(Twins, CostNoEvaluationAndFillTheArchive) {
 
 TEST(Twins, AreEntriesThatKeepWhatTheirGenomesDo) {
   SymmetricEvaluator evaluator;
-  BrEvolution evolution(withTwins(), kGenes, evaluator, Random(2), {leftRight()});
-  for (int generation = 0; generation < 30; ++generation) evolution.step();
+  BrEvolution evolution(withTwins(), pairs(), Random(2));
+  for (int generation = 0; generation < 30; ++generation) advance(evolution, evaluator);
   std::int64_t twins = 0;
   for (const Entry& entry : evolution.archive().entries()) {
     const Outcome outcome = evaluator.evaluate({entry.genome})[0];
@@ -129,19 +62,19 @@ TEST(Twins, AreEntriesThatKeepWhatTheirGenomesDo) {
 
 TEST(Twins, OfARobotWithoutSymmetryChangeNothing) {
   AnalyticEvaluator evaluator(7, kGenes);
-  BrEvolution plain({}, kGenes, evaluator, Random(3));
-  BrEvolution without(withTwins(), kGenes, evaluator, Random(3), {});
+  BrEvolution plain({}, kGenes, Random(3));
+  BrEvolution without(withTwins(), kGenes, Random(3));
   for (int generation = 0; generation < 10; ++generation) {
-    plain.step();
-    without.step();
+    advance(plain, evaluator);
+    advance(without, evaluator);
   }
   EXPECT_EQ(toTexts(plain.state()), toTexts(without.state()));
 }
 
 TEST(ArchiveParents, AreAsManyAsTheShareAsksFor) {
   AnalyticEvaluator evaluator(7, kGenes);
-  BrEvolution evolution({}, kGenes, evaluator, Random(4));
-  for (int generation = 0; generation < 10; ++generation) evolution.step();
+  BrEvolution evolution({}, kGenes, Random(4));
+  for (int generation = 0; generation < 10; ++generation) advance(evolution, evaluator);
   // A population of one genome that is not in the archive; children are what their parents were.
   EvolutionState state = evolution.state();
   const Genome outsider(kGenes, 1);
@@ -154,7 +87,8 @@ TEST(ArchiveParents, AreAsManyAsTheShareAsksFor) {
   for (const auto& [share, range] : allowed) {
     options.archive_parents = share;
     RecordingEvaluator recorder;
-    BrEvolution(options, kGenes, recorder, state).step();
+    BrEvolution resumed(options, kGenes, state);
+    advance(resumed, recorder);
     const auto entries =
         std::count_if(recorder.genomes.begin(), recorder.genomes.end(),
                       [&](const Genome& genome) { return evolution.archive().contains(genome); });
@@ -167,14 +101,15 @@ TEST(ArchiveParents, AreAsManyAsTheShareAsksFor) {
 
 TEST(ArchiveTournament, TakesTheBestAlignedOfTheEntriesAroundTheOneDrawn) {
   AnalyticEvaluator evaluator(7, kGenes);
-  BrEvolution evolution({}, kGenes, evaluator, Random(8));
-  for (int generation = 0; generation < 20; ++generation) evolution.step();
+  BrEvolution evolution({}, kGenes, Random(8));
+  for (int generation = 0; generation < 20; ++generation) advance(evolution, evaluator);
   EvolutionOptions options;
   options.mutation_rate = 0.0;
   options.archive_parents = 1.0;
   options.archive_tournament = 5;
   RecordingEvaluator recorder;
-  BrEvolution(options, kGenes, recorder, evolution.state()).step();
+  BrEvolution resumed(options, kGenes, evolution.state());
+  advance(resumed, recorder);
   std::set<Genome> winners;
   const std::vector<Entry>& entries = evolution.archive().entries();
   for (const Entry& drawn : entries) {
@@ -197,14 +132,14 @@ TEST(NoveltyRefinement, LowersTheThresholdWhenFewAreAddedAndStopsAtItsMinimum) {
   EvolutionOptions options;
   options.novelty_refinement = 0.5;
   options.novelty_threshold_min_m = 0.04;
-  BrEvolution refined(options, kGenes, evaluator, Random(5));
-  BrEvolution coarse({}, kGenes, evaluator, Random(5));
+  BrEvolution refined(options, kGenes, Random(5));
+  BrEvolution coarse({}, kGenes, Random(5));
   double threshold_m = refined.noveltyThreshold();
   EXPECT_EQ(threshold_m, 0.10);
   for (int generation = 0; generation < 150; ++generation) {
     const std::int64_t added = refined.counters().added;
-    refined.step();
-    coarse.step();
+    advance(refined, evaluator);
+    advance(coarse, evaluator);
     const bool few = refined.counters().added - added < 2;
     EXPECT_EQ(refined.noveltyThreshold(), few ? std::max(0.04, threshold_m * 0.5) : threshold_m);
     threshold_m = refined.noveltyThreshold();
@@ -215,8 +150,8 @@ TEST(NoveltyRefinement, LowersTheThresholdWhenFewAreAddedAndStopsAtItsMinimum) {
 }
 
 void expectOnlyFinalOutcomesInTheArchive(CarefulEvaluator& evaluator) {
-  BrEvolution evolution({}, kGenes, evaluator, Random(6));
-  for (int generation = 0; generation < 40; ++generation) evolution.step();
+  BrEvolution evolution({}, {kGenes, evaluator.looks()}, Random(6));
+  for (int generation = 0; generation < 40; ++generation) advance(evolution, evaluator);
   for (const Entry& entry : evolution.archive().entries()) {
     EXPECT_EQ(evaluator.seen_to_the_end.count(entry.genome), 1u);
     EXPECT_EQ(entry.cost, evaluator.outcomeOf(entry.genome).cost);
@@ -246,16 +181,16 @@ TEST(AllOptionsBeyondThePaper, SurviveARestartAtAnyGeneration) {
   options.archive_parents = 0.5;
   options.archive_tournament = 3;
   options.novelty_refinement = 0.05;
-  BrEvolution undisturbed(options, kGenes, evaluator, Random(7), {leftRight()});
-  for (int generation = 0; generation < 25; ++generation) undisturbed.step();
+  const Task task(kGenes, evaluator.looks(), {leftRight()});
+  BrEvolution undisturbed(options, task, Random(7));
+  for (int generation = 0; generation < 25; ++generation) advance(undisturbed, evaluator);
   for (const int stop : {0, 1, 12, 24}) {
-    BrEvolution first(options, kGenes, evaluator, Random(7), {leftRight()});
-    for (int generation = 0; generation < stop; ++generation) first.step();
+    BrEvolution first(options, task, Random(7));
+    for (int generation = 0; generation < stop; ++generation) advance(first, evaluator);
     EvolutionState state = first.state();
     std::reverse(state.archive.begin(), state.archive.end());
-    BrEvolution second(options, kGenes, evaluator, stateFromTexts(toTexts(state), state.archive),
-                       {leftRight()});
-    for (int generation = stop; generation < 25; ++generation) second.step();
+    BrEvolution second(options, task, stateFromTexts(toTexts(state), state.archive));
+    for (int generation = stop; generation < 25; ++generation) advance(second, evaluator);
     EXPECT_EQ(toTexts(second.state()), toTexts(undisturbed.state()));
   }
 }

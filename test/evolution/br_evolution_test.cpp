@@ -21,9 +21,9 @@ EvolutionOptions optionsOfSize(std::int64_t population_size) {
   return options;
 }
 
-void runTo(std::int64_t evaluations, BrEvolution& evolution) {
+void runTo(std::int64_t evaluations, Evaluator& evaluator, BrEvolution& evolution) {
   while (evolution.counters().evaluations < evaluations) {
-    evolution.step(evaluations - evolution.counters().evaluations);
+    advance(evolution, evaluator, evaluations - evolution.counters().evaluations);
   }
 }
 
@@ -54,10 +54,10 @@ class FailingEvaluator : public AnalyticEvaluator {
 
 TEST(BrEvolution, FillsTheRegionAndStraightensItsControllers) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, kGenes, evaluator, Random(1));
-  runTo(1000, evolution);
+  BrEvolution evolution({}, kGenes, Random(1));
+  runTo(1000, evaluator, evolution);
   const auto early = measure(learnedEndings(evolution.archive().entries()));
-  runTo(20000, evolution);
+  runTo(20000, evaluator, evolution);
   const auto late = measure(learnedEndings(evolution.archive().entries()));
   EXPECT_EQ(evaluator.candidates, 20000);
   EXPECT_LT(late.sparseness_m, 0.03);
@@ -70,8 +70,8 @@ TEST(BrEvolution, CrowdingDiversityWorksToo) {
   AnalyticEvaluator evaluator;
   EvolutionOptions options;
   options.diversity = "crowding";
-  BrEvolution evolution(options, kGenes, evaluator, Random(1));
-  runTo(5000, evolution);
+  BrEvolution evolution(options, kGenes, Random(1));
+  runTo(5000, evaluator, evolution);
   EXPECT_LT(measure(learnedEndings(evolution.archive().entries())).sparseness_m, 0.04);
 }
 
@@ -79,12 +79,12 @@ TEST(BrEvolution, WithCopiesTheBetterIndividualStaysInThePopulation) {
   AnalyticEvaluator evaluator;
   EvolutionOptions options;
   options.swap = "copy";
-  BrEvolution evolution(options, kGenes, evaluator, Random(1));
+  BrEvolution evolution(options, kGenes, Random(1));
   for (int generation = 0; generation < 30; ++generation) {
     std::set<std::int64_t> known;
     for (const Individual& individual : evolution.population()) known.insert(individual.id);
     const std::int64_t oldest_child = evolution.counters().evaluations + 1;
-    evolution.step();
+    advance(evolution, evaluator);
     // Nobody comes back: all are parents or children.
     for (const Individual& individual : evolution.population()) {
       EXPECT_TRUE(known.count(individual.id) > 0 || individual.id >= oldest_child);
@@ -95,9 +95,9 @@ TEST(BrEvolution, WithCopiesTheBetterIndividualStaysInThePopulation) {
 
 TEST(BrEvolution, InheritsSilentGenesButSimulatesCanonicalGenomes) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution(optionsOfSize(50), kGenes, evaluator, Random(14));
+  BrEvolution evolution(optionsOfSize(50), kGenes, Random(14));
   bool silent = false;
-  for (int generation = 0; generation < 5; ++generation) evolution.step();
+  for (int generation = 0; generation < 5; ++generation) advance(evolution, evaluator);
   for (const Individual& individual : evolution.population()) {
     EXPECT_EQ(individual.genome, canonical(individual.genotype));
     silent = silent || individual.genome != individual.genotype;
@@ -107,10 +107,10 @@ TEST(BrEvolution, InheritsSilentGenesButSimulatesCanonicalGenomes) {
 
 TEST(BrEvolution, ArchiveNeverShrinksAndKeepsItsPromisesThroughARun) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, kGenes, evaluator, Random(2));
+  BrEvolution evolution({}, kGenes, Random(2));
   std::size_t size = 0;
   for (int generation = 0; generation < 40; ++generation) {
-    evolution.step();
+    advance(evolution, evaluator);
     ASSERT_GE(evolution.archive().size(), size);
     size = evolution.archive().size();
   }
@@ -131,11 +131,11 @@ TEST(BrEvolution, ArchiveNeverShrinksAndKeepsItsPromisesThroughARun) {
 
 TEST(BrEvolution, ASwapPutsTheOldEntryInTheIndividualsPlace) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, kGenes, evaluator, Random(3));
+  BrEvolution evolution({}, kGenes, Random(3));
   bool returned = false;
   for (int generation = 0; generation < 30; ++generation) {
     const auto before = evolution.archive().entries();
-    evolution.step();
+    advance(evolution, evaluator);
     for (const Individual& individual : evolution.population()) {
       for (const Entry& entry : before) {
         const bool left = !evolution.archive().contains(entry.genome);
@@ -150,8 +150,8 @@ TEST(BrEvolution, SameSeedSameArchiveOtherSeedAnother) {
   std::vector<std::string> digests;
   for (const std::uint64_t seed : {4U, 4U, 5U}) {
     AnalyticEvaluator evaluator;
-    BrEvolution evolution({}, kGenes, evaluator, Random(seed));
-    runTo(3000, evolution);
+    BrEvolution evolution({}, kGenes, Random(seed));
+    runTo(3000, evaluator, evolution);
     std::string digest;
     for (const Entry& entry : evolution.archive().entries()) {
       digest += std::to_string(entry.id) + toString(entry.genome);
@@ -164,8 +164,8 @@ TEST(BrEvolution, SameSeedSameArchiveOtherSeedAnother) {
 
 TEST(BrEvolution, EvaluatesEachCandidateOnceAndNeverItsParentsAgain) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution(optionsOfSize(16), kGenes, evaluator, Random(6));
-  for (int generation = 0; generation < 10; ++generation) evolution.step();
+  BrEvolution evolution(optionsOfSize(16), kGenes, Random(6));
+  for (int generation = 0; generation < 10; ++generation) advance(evolution, evaluator);
   EXPECT_EQ(evaluator.calls, 10);
   EXPECT_EQ(evaluator.candidates, 160);
   EXPECT_EQ(evolution.counters().evaluations, 160);
@@ -178,8 +178,8 @@ TEST(BrEvolution, WorksWithAnyPopulationSizeAndMoreNeighboursThanIndividuals) {
       AnalyticEvaluator evaluator;
       EvolutionOptions options = optionsOfSize(size);
       options.neighbours = neighbours;
-      BrEvolution evolution(options, kGenes, evaluator, Random(7));
-      for (int generation = 0; generation < 20; ++generation) evolution.step();
+      BrEvolution evolution(options, kGenes, Random(7));
+      for (int generation = 0; generation < 20; ++generation) advance(evolution, evaluator);
       EXPECT_EQ(evolution.population().size(), static_cast<std::size_t>(size));
       EXPECT_EQ(evolution.counters().evaluations, 20 * size);
       EXPECT_GE(evolution.archive().size(), 1U);
@@ -189,21 +189,21 @@ TEST(BrEvolution, WorksWithAnyPopulationSizeAndMoreNeighboursThanIndividuals) {
 
 TEST(BrEvolution, MeetsABudgetThatIsNoMultipleOfThePopulation) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, kGenes, evaluator, Random(8));
-  runTo(1234, evolution);
+  BrEvolution evolution({}, kGenes, Random(8));
+  runTo(1234, evaluator, evolution);
   EXPECT_EQ(evaluator.candidates, 1234);
   EXPECT_EQ(evolution.population().size(), 100U);
-  EXPECT_THROW(evolution.step(0), std::invalid_argument);
-  BrEvolution tiny({}, kGenes, evaluator, Random(8));
-  tiny.step(3);
+  EXPECT_THROW(advance(evolution, evaluator, 0), std::invalid_argument);
+  BrEvolution tiny({}, kGenes, Random(8));
+  advance(tiny, evaluator, 3);
   EXPECT_EQ(tiny.population().size(), 3U);
 }
 
 TEST(BrEvolution, GoesOnWhenEverythingFalls) {
   for (const Verdict verdict : {Verdict::kFell, Verdict::kSelfCollided, Verdict::kDiverged}) {
     ConstantEvaluator evaluator({verdict, {}, 0.0});
-    BrEvolution evolution(optionsOfSize(10), kGenes, evaluator, Random(9));
-    for (int generation = 0; generation < 5; ++generation) evolution.step();
+    BrEvolution evolution(optionsOfSize(10), kGenes, Random(9));
+    for (int generation = 0; generation < 5; ++generation) advance(evolution, evaluator);
     EXPECT_EQ(evolution.archive().size(), 0U);
     EXPECT_EQ(evolution.population().size(), 10U);
     const EvolutionCounters& counters = evolution.counters();
@@ -219,8 +219,8 @@ TEST(BrEvolution, CountsOutcomesThatAreNotFiniteAsDiverged) {
                                  Outcome{Verdict::kWalked, {0.1, 0.0, 0.0}, nan},
                                  Outcome{Verdict::kWalked, {0.1, 0.0, 0.0}, -0.1}}) {
     ConstantEvaluator evaluator(outcome);
-    BrEvolution evolution(optionsOfSize(10), kGenes, evaluator, Random(10));
-    evolution.step();
+    BrEvolution evolution(optionsOfSize(10), kGenes, Random(10));
+    advance(evolution, evaluator);
     EXPECT_EQ(evolution.counters().diverged, 10);
     EXPECT_EQ(evolution.archive().size(), 0U);
   }
@@ -228,8 +228,8 @@ TEST(BrEvolution, CountsOutcomesThatAreNotFiniteAsDiverged) {
 
 TEST(BrEvolution, TheFallenAreTheFirstToGo) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, kGenes, evaluator, Random(11));
-  for (int generation = 0; generation < 10; ++generation) evolution.step();
+  BrEvolution evolution({}, kGenes, Random(11));
+  for (int generation = 0; generation < 10; ++generation) advance(evolution, evaluator);
   ASSERT_GT(evolution.counters().fell, 0);
   for (const Individual& individual : evolution.population()) {
     EXPECT_TRUE(individual.outcome.walked());
@@ -238,22 +238,22 @@ TEST(BrEvolution, TheFallenAreTheFirstToGo) {
 
 TEST(BrEvolution, AnInterruptedGenerationHasChangedNothing) {
   FailingEvaluator evaluator;
-  BrEvolution evolution({}, kGenes, evaluator, Random(12));
+  BrEvolution evolution({}, kGenes, Random(12));
   AnalyticEvaluator undisturbed_evaluator;
-  BrEvolution undisturbed({}, kGenes, undisturbed_evaluator, Random(12));
+  BrEvolution undisturbed({}, kGenes, Random(12));
   for (int generation = 0; generation < 12; ++generation) {
     evaluator.fails = generation % 3 == 1;
     if (evaluator.fails) {
-      EXPECT_THROW(evolution.step(), std::runtime_error);
+      EXPECT_THROW(advance(evolution, evaluator), std::runtime_error);
     }
     evaluator.fails = false;
     evaluator.loses_one = generation % 4 == 2;
     if (evaluator.loses_one) {
-      EXPECT_THROW(evolution.step(), std::logic_error);
+      EXPECT_THROW(advance(evolution, evaluator), std::logic_error);
     }
     evaluator.loses_one = false;
-    evolution.step();
-    undisturbed.step();
+    advance(evolution, evaluator);
+    advance(undisturbed, undisturbed_evaluator);
   }
   ASSERT_EQ(evolution.archive().size(), undisturbed.archive().size());
   for (std::size_t i = 0; i < evolution.archive().size(); ++i) {
@@ -265,11 +265,11 @@ TEST(BrEvolution, WithoutMutationChildrenAreTheirParents) {
   AnalyticEvaluator evaluator;
   EvolutionOptions options = optionsOfSize(10);
   options.mutation_rate = 0.0;
-  BrEvolution evolution(options, kGenes, evaluator, Random(13));
-  evolution.step();
+  BrEvolution evolution(options, kGenes, Random(13));
+  advance(evolution, evaluator);
   std::set<Genome> initial;
   for (const Individual& individual : evolution.population()) initial.insert(individual.genome);
-  for (int generation = 0; generation < 5; ++generation) evolution.step();
+  for (int generation = 0; generation < 5; ++generation) advance(evolution, evaluator);
   for (const Individual& individual : evolution.population()) {
     EXPECT_EQ(initial.count(individual.genome), 1U);
   }

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "analytic_evaluator.h"
 #include "evolution/br_evolution.h"
 
 namespace hexapod {
@@ -45,9 +44,8 @@ TEST(EvolutionOptions, OutOfRangeIsRefusedNamingKeyValueAndRange) {
   options = {};
   options.population_size = 0;
   EXPECT_NE(complaintAbout(options), "");
-  AnalyticEvaluator evaluator;
-  EXPECT_THROW(BrEvolution(options, 24, evaluator, Random(1)), std::invalid_argument);
-  EXPECT_THROW(BrEvolution({}, 0, evaluator, Random(1)), std::invalid_argument);
+  EXPECT_THROW(BrEvolution(options, 24, Random(1)), std::invalid_argument);
+  EXPECT_THROW(BrEvolution({}, 0, Random(1)), std::invalid_argument);
 }
 
 }  // namespace

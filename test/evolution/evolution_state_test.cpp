@@ -30,13 +30,13 @@ TEST(EvolutionState, ARunStoppedAtAnyGenerationEndsLikeTheUndisturbedOne) {
     EvolutionOptions options;
     options.diversity = diversity;
     AnalyticEvaluator evaluator;
-    BrEvolution undisturbed(options, 24, evaluator, Random(20));
-    for (int generation = 0; generation < 25; ++generation) undisturbed.step();
+    BrEvolution undisturbed(options, 24, Random(20));
+    for (int generation = 0; generation < 25; ++generation) advance(undisturbed, evaluator);
     for (const int stop : {0, 1, 2, 13}) {
-      BrEvolution first(options, 24, evaluator, Random(20));
-      for (int generation = 0; generation < stop; ++generation) first.step();
-      BrEvolution second(options, 24, evaluator, throughText(first.state()));
-      for (int generation = stop; generation < 25; ++generation) second.step();
+      BrEvolution first(options, 24, Random(20));
+      for (int generation = 0; generation < stop; ++generation) advance(first, evaluator);
+      BrEvolution second(options, 24, throughText(first.state()));
+      for (int generation = stop; generation < 25; ++generation) advance(second, evaluator);
       EXPECT_EQ(contentOf(second.archive()), contentOf(undisturbed.archive()));
       EXPECT_EQ(toTexts(second.state()), toTexts(undisturbed.state()));
     }
@@ -45,12 +45,12 @@ TEST(EvolutionState, ARunStoppedAtAnyGenerationEndsLikeTheUndisturbedOne) {
 
 TEST(EvolutionState, ARunStoppedAfterEveryGenerationEndsLikeTheUndisturbedOne) {
   AnalyticEvaluator evaluator;
-  BrEvolution undisturbed({}, 24, evaluator, Random(21));
-  EvolutionState state = BrEvolution({}, 24, evaluator, Random(21)).state();
+  BrEvolution undisturbed({}, 24, Random(21));
+  EvolutionState state = BrEvolution({}, 24, Random(21)).state();
   for (int generation = 0; generation < 25; ++generation) {
-    undisturbed.step();
-    BrEvolution resumed({}, 24, evaluator, throughText(state));
-    resumed.step();
+    advance(undisturbed, evaluator);
+    BrEvolution resumed({}, 24, throughText(state));
+    advance(resumed, evaluator);
     state = resumed.state();
   }
   EXPECT_EQ(toTexts(state), toTexts(undisturbed.state()));
@@ -74,8 +74,8 @@ TEST(EvolutionState, SurvivesInfinityAndTheFallen) {
 
 TEST(EvolutionState, RefusesTextsThatAreDamaged) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, 24, evaluator, Random(22));
-  evolution.step();
+  BrEvolution evolution({}, 24, Random(22));
+  advance(evolution, evaluator);
   const auto good = toTexts(evolution.state());
   for (const auto& [name, text] : good) {
     auto missing = good;
@@ -92,9 +92,9 @@ TEST(EvolutionState, RefusesTextsThatAreDamaged) {
 
 TEST(EvolutionState, ThatDoesNotFitIsRefused) {
   AnalyticEvaluator evaluator;
-  BrEvolution evolution({}, 24, evaluator, Random(23));
-  evolution.step();
-  EXPECT_THROW(BrEvolution({}, 12, evaluator, evolution.state()), std::invalid_argument);
+  BrEvolution evolution({}, 24, Random(23));
+  advance(evolution, evaluator);
+  EXPECT_THROW(BrEvolution({}, 12, evolution.state()), std::invalid_argument);
 }
 
 }  // namespace

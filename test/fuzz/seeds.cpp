@@ -16,7 +16,7 @@ int main(int argc, char** argv) {
   };
   write("message/seed", std::string(150, '\1'));
   write("work_message/introduction", toMessage(hexapod::Introduction{"run", 2, ""}));
-  write("work_message/task", toMessage(hexapod::Task{1, {{0, 1, 2}, {3, 4, 0}}, {}}));
+  write("work_message/task", toMessage(hexapod::Questions{1, {{0, 1, 2}, {3, 4, 0}}, {}}));
   write("work_message/result", toMessage(hexapod::Result{{hexapod::Outcome()}, 1, "no"}));
   write("seeded_mistake/seed", "joints:\n  a: {name: b, sign: 1, offset_rad: 20.5}\n");
   return 0;

@@ -21,7 +21,7 @@ void expectSentence(const Read& read, const std::string& message) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string message = hexapod::textOf(data, size);
   expectSentence(hexapod::introductionFrom, message);
-  expectSentence(hexapod::taskFrom, message);
+  expectSentence(hexapod::questionsFrom, message);
   expectSentence(hexapod::resultFrom, message);
   return 0;
 }

@@ -204,8 +204,8 @@ TEST(DistributedEvaluator, IsCancelledByAWorkerThatIsAskedToStop) {
 }
 
 TEST(WorkMessage, ReadsBackWhatWasWritten) {
-  const Task task{3, {{0, 1, 2}, {}, {4}}, Analytic().evaluate(someGenomes(3))};
-  const Task read = taskFrom(toMessage(task));
+  const Questions task{3, {{0, 1, 2}, {}, {4}}, Analytic().evaluate(someGenomes(3))};
+  const Questions read = questionsFrom(toMessage(task));
   EXPECT_EQ(read.look, 3);
   EXPECT_EQ(read.genomes, task.genomes);
   expectSame(read.previous, task.previous);
@@ -223,12 +223,12 @@ TEST(WorkMessage, RefusesAVerdictThatThereIsNot) {
 }
 
 TEST(WorkMessage, RefusesWhatIsCutShortOrTooLong) {
-  const std::string message = toMessage(Task{2, someGenomes(3), {Outcome(), Outcome()}});
+  const std::string message = toMessage(Questions{2, someGenomes(3), {Outcome(), Outcome()}});
   for (std::size_t size = 0; size < message.size(); ++size) {
-    EXPECT_THROW(taskFrom(message.substr(0, size)), std::runtime_error) << size;
+    EXPECT_THROW(questionsFrom(message.substr(0, size)), std::runtime_error) << size;
   }
-  EXPECT_THROW(taskFrom(message + "x"), std::runtime_error);
-  EXPECT_THROW(taskFrom(std::string(message.size(), '\xff')), std::runtime_error);
+  EXPECT_THROW(questionsFrom(message + "x"), std::runtime_error);
+  EXPECT_THROW(questionsFrom(std::string(message.size(), '\xff')), std::runtime_error);
 }
 
 class SharedSessionTest : public LearningFixture {};

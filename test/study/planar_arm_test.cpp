@@ -60,14 +60,15 @@ TEST(AnotherTask, IsLearnedByEveryAlgorithm) {
     StudyOptions options;
     options.evolution.novelty_threshold_m = 0.03;
     options.targets = 20;
-    const auto method = makeMethod(name, {PlanarArm::genotypes(), &arm, {}}, options, Random(1));
-    while (method->evaluations() < 20000) method->step(100);
+    const Method method = makeMethod(name, PlanarArm::genotypes(), options, Random(1));
+    while (method.algorithm->counters().evaluations < 20000) advance(*method.algorithm, arm);
     // [the run]
-    const auto young = makeMethod(name, {PlanarArm::genotypes(), &arm, {}}, options, Random(1));
-    while (young->evaluations() < 2000) young->step(100);  // a generation for every target
-    for (const auto& [repertoire, entries] : method->repertoires()) {
+    const Method young = makeMethod(name, PlanarArm::genotypes(), options, Random(1));
+    // A generation for every target.
+    while (young.algorithm->counters().evaluations < 2000) advance(*young.algorithm, arm);
+    for (const auto& [repertoire, entries] : method.repertoires()) {
       ASSERT_FALSE(entries.empty()) << repertoire;
-      const std::vector<Entry> before = young->repertoires().at(repertoire);
+      const std::vector<Entry> before = young.repertoires().at(repertoire);
       EXPECT_LT(sparseness_m(entries), 1.05 * sparseness_m(before)) << repertoire;
       if (repertoire == "nearest") {  // does not look at the quality
         EXPECT_LT(sparseness_m(entries), sparseness_m(before));
@@ -79,9 +80,8 @@ TEST(AnotherTask, IsLearnedByEveryAlgorithm) {
 }
 
 TEST(AnotherTask, TellsOfGenotypesThatCannotBe) {
-  PlanarArm arm;
   for (const std::size_t levels : {0, 257}) {
-    EXPECT_THROW(makeMethod("map_elites", {GenomeSpace(8, levels), &arm, {}}, {}, Random(1)),
+    EXPECT_THROW(makeMethod("map_elites", GenomeSpace(8, levels), {}, Random(1)),
                  std::invalid_argument);
   }
 }

@@ -6,8 +6,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "../evolution/analytic_evaluator.h"
-#include "study/map_elites.h"
+#include "evolution/analytic_evaluator.h"
 
 namespace hexapod {
 namespace {
@@ -19,6 +18,8 @@ std::vector<std::string> linesOf(const std::filesystem::path& file) {
   return lines;
 }
 
+Method mapElites() { return makeMethod("map_elites", 24, {}, Random(1)); }
+
 /// Files of MAP-Elites with the stand-in after so many candidates.
 class RecordedRun {
  public:
@@ -27,11 +28,12 @@ class RecordedRun {
                 ("recorded_" + std::to_string(::getpid()) + "_" + std::to_string(evaluations))) {
     std::filesystem::create_directories(folder_);
     AnalyticEvaluator evaluator;
-    MapElites method({}, 24, evaluator, Random(1), 0.1);
+    const Method method = mapElites();
+    const EvolutionCounters& counters = method.algorithm->counters();
     RunRecorder recorder(folder_.string());
-    while (method.evaluations() < evaluations) {
-      method.step(evaluations - method.evaluations());
-      recorder.record(method, 2 * method.evaluations(), 0.0);
+    while (counters.evaluations < evaluations) {
+      advance(*method.algorithm, evaluator, evaluations - counters.evaluations);
+      recorder.record(method, 2 * counters.evaluations, 0.0);
     }
     recorder.finish(method, 2 * evaluations, 0.0);
     entries_of_method = method.repertoires().at("map_elites").size();
@@ -74,8 +76,7 @@ TEST(RunRecorder, WritesTheLastStateWhereverItIs) {
 }
 
 TEST(RunRecorder, TellsOfAFolderItCannotWriteTo) {
-  AnalyticEvaluator evaluator;
-  const MapElites method({}, 24, evaluator, Random(1), 0.1);
+  const Method method = mapElites();
   RunRecorder recorder("/nowhere/at/all");
   EXPECT_THROW(recorder.finish(method, 0, 0.0), std::runtime_error);
 }

@@ -1,11 +1,11 @@
-#include "study/map_elites.h"
+#include "evolution/map_elites.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "../evolution/analytic_evaluator.h"
+#include "analytic_evaluator.h"
 
 namespace hexapod {
 namespace {
@@ -24,8 +24,8 @@ class Witness : public AnalyticEvaluator {
 };
 
 MapElites after(std::int64_t generations, Evaluator& evaluator, std::uint64_t seed = 1) {
-  MapElites elites({}, 24, evaluator, Random(seed), kCell_m);
-  for (std::int64_t i = 0; i < generations; ++i) elites.step(100);
+  MapElites elites({}, 24, gridCells(kCell_m), Random(seed));
+  for (std::int64_t i = 0; i < generations; ++i) advance(elites, evaluator);
   return elites;
 }
 
@@ -35,7 +35,7 @@ std::pair<long, long> cellOf(const Pose2& end) {
 
 TEST(MapElites, KeepsTheBestAlignedOfEachCell) {
   Witness evaluator;
-  const std::vector<Entry> elites = after(20, evaluator).repertoires().at("map_elites");
+  const std::vector<Entry> elites = after(20, evaluator).entries();
   std::map<std::pair<long, long>, double> best_rad;  // by brute force over all that was seen
   for (const Outcome& outcome : evaluator.seen) {
     if (!outcome.walked()) continue;
@@ -50,24 +50,19 @@ TEST(MapElites, KeepsTheBestAlignedOfEachCell) {
 
 TEST(MapElites, CountsCandidatesAndCutsTheLastGeneration) {
   AnalyticEvaluator evaluator;
-  MapElites elites({}, 24, evaluator, Random(1), kCell_m);
-  elites.step(1000);
-  elites.step(30);
-  EXPECT_EQ(elites.evaluations(), 130);
+  MapElites elites({}, 24, gridCells(kCell_m), Random(1));
+  advance(elites, evaluator, 1000);
+  advance(elites, evaluator, 30);
+  EXPECT_EQ(elites.counters().evaluations, 130);
   EXPECT_EQ(evaluator.candidates, 130);
 }
 
 TEST(MapElites, GivesTheSameForTheSameSeed) {
   AnalyticEvaluator evaluator;
-  const auto once = after(10, evaluator, 4).repertoires().at("map_elites");
-  const auto again = after(10, evaluator, 4).repertoires().at("map_elites");
+  const auto once = after(10, evaluator, 4).entries();
+  const auto again = after(10, evaluator, 4).entries();
   ASSERT_EQ(once.size(), again.size());
   for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].genome, again[i].genome);
-}
-
-TEST(MapElites, RefusesCellsWithoutASize) {
-  AnalyticEvaluator evaluator;
-  EXPECT_THROW(MapElites({}, 24, evaluator, Random(1), 0.0), std::invalid_argument);
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "study/target_evolution.h"
+#include "evolution/target_evolution.h"
 
 namespace hexapod {
 namespace {
@@ -43,9 +43,8 @@ TEST_P(KnownFront, IsReachedAndCovered) {
   Zdt problem(GetParam());
   EvolutionOptions options;
   options.mutation_rate = 0.1;
-  TargetEvolution evolution(options, GenomeSpace(kVariables, kLevels), problem, Random(1),
-                            {0.0, 0.0});
-  for (int generation = 0; generation < 600; ++generation) evolution.step(100);
+  TargetEvolution evolution(options, GenomeSpace(kVariables, kLevels), Random(1), {0.0, 0.0});
+  for (int generation = 0; generation < 600; ++generation) advance(evolution, problem);
   double sum = 0.0;
   std::vector<bool> covered(10, false);
   for (const Individual& individual : evolution.population()) {

@@ -1,9 +1,8 @@
-#include "study/target_evolution.h"
+#include "evolution/target_evolution.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 #include <tuple>
 
 #include "evolution/breeder.h"
@@ -21,37 +20,37 @@ EvolutionOptions nsga2Options(EvolutionOptions options) {
 }  // namespace
 
 TargetEvolution::TargetEvolution(const EvolutionOptions& options, const GenomeSpace& space,
-                                 Evaluator& evaluator, const Random& random, const Target& target)
-    : options_(nsga2Options(options)),
-      space_(space),
-      evaluator_(&evaluator),
-      random_(random),
+                                 const Random& random, const Target& target)
+    : Generational(options.population_size, space, false, random),
+      options_(nsga2Options(options)),
       target_(target) {
   requireValid(options_);
-  requireValid(space_);
 }
 
-void TargetEvolution::step(std::int64_t most_candidates) {
-  const auto size = static_cast<std::size_t>(std::min(options_.population_size, most_candidates));
+std::vector<Genome> TargetEvolution::breed(std::size_t count, Random& random) const {
   const Archive none;
-  const Breeder breeder(options_, space_, population_, none);
-  std::vector<Individual> pool = population_;
-  std::vector<Genome> genomes;
-  for (std::size_t i = 0; i < size; ++i) {
-    Individual candidate;
-    candidate.id = candidate.evaluation = evaluations_ + static_cast<std::int64_t>(i) + 1;
-    candidate.genotype = breeder.next(random_);
-    candidate.genome = space_.canonical(candidate.genotype);
-    genomes.push_back(candidate.genome);
-    pool.push_back(std::move(candidate));
-  }
-  const std::vector<Outcome> outcomes = evaluator_->evaluate(genomes);
-  for (std::size_t i = 0; i < size; ++i) pool[population_.size() + i].outcome = outcomes.at(i);
-  evaluations_ += static_cast<std::int64_t>(size);
+  const Breeder breeder(options_, space(), population_, none);
+  std::vector<Genome> genotypes;
+  for (std::size_t i = 0; i < count; ++i) genotypes.push_back(breeder.next(random));
+  return genotypes;
+}
+
+std::vector<std::size_t> TargetEvolution::promising(const std::vector<Individual>& /*pool*/,
+                                                    int /*looks*/) const {
+  return {};
+}
+
+void TargetEvolution::finish(Pool pool, std::size_t /*candidates*/) {
   std::vector<Objectives> values;
-  for (const Individual& individual : pool) values.push_back(objectives(individual));
-  population_ = survivors(pool, values, static_cast<std::size_t>(options_.population_size),
-                          options_.diversity);
+  for (const Individual& individual : pool.individuals) values.push_back(objectives(individual));
+  population_ = survivors(pool.individuals, values,
+                          static_cast<std::size_t>(options_.population_size), options_.diversity);
+  front_.clear();
+  for (const Individual& individual : population_) {
+    if (individual.outcome.walked() && individual.standing.rank == 0) {
+      front_.push_back(entryOf(individual));
+    }
+  }
 }
 
 std::optional<Individual> TargetEvolution::nearest() const {

@@ -1,10 +1,10 @@
-#include "study/target_evolution.h"
+#include "evolution/target_evolution.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "../evolution/analytic_evaluator.h"
+#include "analytic_evaluator.h"
 
 namespace hexapod {
 namespace {
@@ -19,8 +19,8 @@ double distance(const Individual& individual) {
 double error(const Individual& individual) { return individual.outcome.cost; }
 
 TargetEvolution after(int generations, Evaluator& evaluator) {
-  TargetEvolution evolution({}, 24, evaluator, Random(2), kTarget);
-  for (int i = 0; i < generations; ++i) evolution.step(100);
+  TargetEvolution evolution({}, 24, Random(2), kTarget);
+  for (int i = 0; i < generations; ++i) advance(evolution, evaluator);
   return evolution;
 }
 
@@ -30,7 +30,7 @@ TEST(TargetEvolution, ComesNearerToItsTargetAndBetterAligned) {
   const TargetEvolution old = after(30, evaluator);
   EXPECT_LT(distance(*old.nearest()), 0.5 * distance(*young.nearest()));
   EXPECT_LT(error(*old.bestAligned(0.1)), error(*young.bestAligned(0.1)));
-  EXPECT_EQ(old.evaluations(), 3000);
+  EXPECT_EQ(old.counters().evaluations, 3000);
   EXPECT_EQ(old.population().size(), 100u);
 }
 

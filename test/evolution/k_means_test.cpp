@@ -1,4 +1,4 @@
-#include "study/k_means.h"
+#include "evolution/k_means.h"
 
 #include <gtest/gtest.h>
 

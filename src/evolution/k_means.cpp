@@ -1,11 +1,13 @@
-#include "study/k_means.h"
+#include "evolution/k_means.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <stdexcept>
 #include <string>
 
 #include "repertoire/metrics.h"
+#include "repertoire/point_index.h"
 
 namespace hexapod {
 namespace {
@@ -42,13 +44,13 @@ std::vector<Target> seeds(const std::vector<Pose2>& points, std::size_t count, R
   return targets;
 }
 
-/// Index of the nearest target; of equally near ones the first.
-std::size_t nearest(const Pose2& point, const std::vector<Target>& targets) {
-  const auto closer = [&](const Target& a, const Target& b) {
-    return squaredDistance_m2(point, a) < squaredDistance_m2(point, b);
-  };
-  return static_cast<std::size_t>(std::min_element(targets.begin(), targets.end(), closer) -
-                                  targets.begin());
+/// The targets by position; of equally near ones the first counts as the nearest.
+PointIndex indexOf(const std::vector<Target>& targets) {
+  PointIndex index;
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    index.insert({targets[k].x_m, targets[k].y_m, static_cast<std::int64_t>(k), k});
+  }
+  return index;
 }
 
 /// Moves every target to the mean of its points; one that has none stays.
@@ -79,8 +81,9 @@ std::vector<Target> kMeans(const std::vector<Pose2>& points, std::size_t count, 
   bool moved = true;
   for (int iteration = 0; moved && iteration < kMostIterations; ++iteration) {
     moved = false;
+    const PointIndex index = indexOf(targets);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t owner = nearest(points[i], targets);
+      const std::size_t owner = index.nearest(points[i].x_m, points[i].y_m, 1)[0].slot;
       moved = moved || owner != owners[i];
       owners[i] = owner;
     }
@@ -91,6 +94,7 @@ std::vector<Target> kMeans(const std::vector<Pose2>& points, std::size_t count, 
 
 double sparsenessOf(const std::vector<Pose2>& points, const std::vector<Target>& targets) {
   std::vector<Ending> endings;
+  endings.reserve(targets.size());
   for (const Target& target : targets) endings.push_back({{target.x_m, target.y_m, 0.0}, 0.0});
   return median(distancesToNearest(points, endings)).value_or(0.0);
 }

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "common/random.h"
+#include "evolution/target.h"
 #include "geometry/pose2.h"
-#include "study/target_evolution.h"
 
 namespace hexapod {
 

@@ -1,0 +1,74 @@
+// Every algorithm as a learner, with all that the default preset has: twins, three looks.
+#include "evolution/algorithms.h"
+
+#include "learning_fixture.h"
+
+namespace hexapod {
+namespace {
+
+/// Ends a session as a kill does: at once, without another save.
+struct Killed : std::exception {};
+
+class EveryLearner : public LearningFixture, public testing::WithParamInterface<std::string> {
+ protected:
+  void SetUp() override {
+    LearningFixture::SetUp();
+    folder_ = folder_.parent_path() / ("hexapod_learner_" + GetParam());
+    std::filesystem::remove_all(folder_);
+  }
+
+  LearnOptions run(const std::string& name) const {
+    LearnOptions options = smallRun(name);
+    options.algorithm = GetParam();
+    options.map_elites.cvt_cells = 200;
+    options.evolution.offer_twins = true;
+    options.robustness.perturbed_physics = 1;
+    options.robustness.start_states = 1;
+    options.robustness.screening_runs = 1;
+    return options;
+  }
+};
+
+TEST_P(EveryLearner, DependsOnItsSeedAndNotOnItsThreads) {
+  LearnOptions one = run("one.db");
+  one.threads = 1;
+  LearnOptions three = run("three.db");
+  three.threads = 3;
+  LearnOptions other = run("other.db");
+  other.seed = 2;
+  ASSERT_TRUE(learn(one) && learn(three) && learn(other));
+  const Repertoire first = loadRepertoire(one.repertoire_file);
+  expectSameRun(first, loadRepertoire(three.repertoire_file));
+  EXPECT_NE(digestOf(first.entries), digestOf(loadRepertoire(other.repertoire_file).entries));
+  EXPECT_EQ(first.options.at("algorithm"), GetParam());
+  EXPECT_GT(first.entries.size(), 5u);
+}
+
+TEST_P(EveryLearner, EndsAsIfItHadNotBeenKilledAfterEveryGeneration) {
+  LearnOptions options = run("killed.db");
+  options.resume = true;
+  for (std::int64_t generation = 1; generation <= 5; ++generation) {
+    LearningSession::Hooks hooks;
+    hooks.progress = [&](const LearningSession& session) {
+      if (session.status().counters.generations == generation) throw Killed();
+    };
+    EXPECT_THROW(learn(options, hooks), Killed);
+  }
+  ASSERT_TRUE(learn(options));
+  expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, EveryLearner, testing::ValuesIn(algorithmNames()));
+
+TEST_F(LearningFixture, AnotherAlgorithmIsAnotherRun) {
+  LearnOptions options = smallRun("a.db");
+  ASSERT_TRUE(learn(options));
+  options.resume = true;
+  options.algorithm = "map_elites";
+  const std::string sentence = complaintOf([&] { learn(options); });
+  EXPECT_TRUE(mentions(sentence, "algorithm: br_evolution in the file, map_elites now"))
+      << sentence;
+}
+
+}  // namespace
+}  // namespace hexapod
