@@ -72,6 +72,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
     drifting.world_from_goal =
         shifted(request.world_from_goal, -static_cast<double>(behaviors) * drift_m);
     PlanResult found = planner->plan(drifting);
+    found.effort += result.effort;
     // The goal less its drift is where the robot stands: the chain found before is the better one.
     if (found.code == PlanCode::kAlreadyThere) break;
     result = std::move(found);

@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <unordered_set>
 #include <vector>
 
+#include "planning/beam.h"
 #include "planning/chain_tree.h"
 #include "planning/goal_finish.h"
 #include "planning/search_budget.h"
@@ -15,7 +15,8 @@ struct SearchResult {
   bool found = false;
   bool exhausted = true;           ///< false: cut short by the budget
   int at_least = 1;                ///< proved: no chain of fewer moves leads there
-  double price = 0.0;              ///< of a found chain
+  double price = 0.0;              ///< that a found chain promises
+  double spent_s = 0.0;            ///< of planning_time_s
   std::vector<std::size_t> chain;  ///< the best; when none was found: the one that ends nearest
 };
 
@@ -24,12 +25,10 @@ struct SearchResult {
 /// The state is the goal as seen from the robot. Chains are finished from tables: with one move,
 /// found by the pose that remains, and with two moves, from the table of pairs. Chains of up to
 /// three moves are thus all seen when the table holds all pairs (else nearly all); for longer ones
-/// a beam of the most promising states (cost so far + StepsToGo, along the ways around obstacles)
-/// is extended level by level by representative moves, at most one state per cell of position and
-/// heading: first a narrow beam, which gives a plan early, then the full one while a plan of fewer
-/// moves is not ruled out and less was spent on better plans than on the first. What is ruled out
-/// adds up to a lower bound: by StepsBound, by the ways, by what was seen exhaustively; chains of
-/// four moves, if need be, by all pairs of pairs.
+/// a Beam is extended move by move: first a narrow one, which gives a plan early, then the full one
+/// while a plan of fewer moves is not ruled out and less was spent on better plans than on the
+/// first. What is ruled out adds up to a lower bound: by StepsBound, by the ways, by what was seen
+/// exhaustively; chains of four moves, if need be, by all pairs of pairs.
 ///
 /// An earlier chain is kept as far as it still leads along free ways; its last moves are exchanged,
 /// or only its beginning is kept, while the result is as good as expected. Deterministic; one
@@ -46,15 +45,8 @@ class BeamSearch {
  private:
   using Index = ChainTree::Index;
 
-  /// A child that may enter the next beam.
-  struct Candidate {
-    double priority;
-    Index parent;
-    Index move;
-    Pose2 remaining;
-  };
-
   bool keepsEarlier();
+  bool isAsExpected() const;
   bool isAsGoodAsEarlier() const;
   void exchangeEnd(Index node);
   void searchShortChains();
@@ -67,24 +59,15 @@ class BeamSearch {
   bool mayImprove() const;
   std::size_t firstWidth() const;
 
-  std::vector<Index> nextBeam(const std::vector<Index>& beam, std::size_t width, int moves_left);
-  std::vector<Candidate> children(const std::vector<Index>& beam, int moves_left);
-  void addChildren(Index parent, int moves_left, std::vector<Candidate>& candidates);
-  double estimate(const Pose2& remaining, const Pose2& world_from_robot) const;
-  bool enterCell(const Pose2& remaining);
-  bool isTooFar(const Pose2& remaining, int moves) const;
-
   const PlanningTables& tables_;
   const PlannerOptions& options_;
   const SearchProblem& problem_;
   SearchBudget budget_;
   ChainTree tree_;
   GoalFinish finish_;
-  double cell_m_;
-  double cell_rad_;
+  Beam beam_;
   int at_least_;
-  Index first_moves_ = 0;                    ///< nodes 1 .. first_moves_ are those after one move
-  std::unordered_set<std::uint64_t> cells_;  ///< already in a beam
+  Index first_moves_ = 0;  ///< nodes 1 .. first_moves_ are those after one move
 };
 
 }  // namespace hexapod

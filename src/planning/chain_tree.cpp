@@ -60,6 +60,12 @@ bool ChainTree::isFreeMove(const Pose2& world_from_robot, Index move, bool first
                                     first ? problem_.least_clearance_m : 0.0);
 }
 
+bool ChainTree::isTooFar(const Pose2& remaining, int moves) const {
+  const double reach_m = moves * tables_.steps_bound.longest_m() + problem_.tolerance.xy_m + 1e-9;
+  return remaining.x_m * remaining.x_m + remaining.y_m * remaining.y_m > reach_m * reach_m ||
+         moves < 0;
+}
+
 std::vector<std::size_t> ChainTree::chainOf(const Ending& ending) const {
   std::vector<std::size_t> chain;
   for (Index node = ending.node; node != 0; node = nodes_[node].parent) {

@@ -65,6 +65,9 @@ class ChainTree {
   bool isFree(const Ending& ending);
   bool isFreeMove(Index node, Index move) const;
 
+  /// Whether the goal, seen so, is farther than that many moves lead.
+  bool isTooFar(const Pose2& remaining, int moves) const;
+
   int steps(const Ending& ending) const { return nodes_[ending.node].steps + ending.moves; }
   std::vector<std::size_t> chainOf(const Ending& ending) const;
 

@@ -21,6 +21,12 @@ Footprint orPoint(Footprint footprint) {
   return footprint;
 }
 
+double smallestOf(const Footprint& footprint) {
+  double radius_m = std::numeric_limits<double>::infinity();
+  for (const Disc& disc : footprint.discs) radius_m = std::min(radius_m, disc.radius_m);
+  return radius_m;
+}
+
 }  // namespace
 
 Obstacles::Obstacles(const OccupancyMap& map, const Footprint& footprint,
@@ -43,6 +49,7 @@ Obstacles::Obstacles(const OccupancyMap& map, const Footprint& footprint,
       footprint_(orPoint(footprint).grownBy(options.footprint_margin_m)),
       inner_m_(footprint_.inner_m()),
       offset_m_(footprint_.offset_m()),
+      smallest_m_(smallestOf(footprint_)),
       field_(std::move(field)) {}
 
 Obstacles Obstacles::movedTo(const Pose2& world_from_map) const {
@@ -112,20 +119,28 @@ class Obstacles::Along {
 };
 
 // Where two points of the path have rooms a and b, a way of length l between them keeps at least
-// (a + b - l) / 2. Points within the room of one before need not be looked at. A robot that leaves
-// its margin has no room to begin with: its first few centimetres are judged by their end.
+// (a + b - l) / 2. Points within the room of one before need not be looked at; those that follow
+// each other are near enough for the way between them to be straight, and then it keeps at least
+// min(a, b) - l^2 / 4 r beside discs of radius r, as the square of the distance to what is occupied
+// bends no more than that of the position. A robot that leaves its margin has no room to begin
+// with: its first few centimetres are judged by their end.
 bool Obstacles::isFree(const Pose2& world_from_start, const MovePath& path, double least_m) const {
   const Along along(*this, world_from_start);
   const std::vector<MovePath::Point>& points = path.points;
-  double sure_m = along.room_m(points.front()) - least_m;
+  const double radius_m = std::max(1e-6, smallest_m_ + least_m);
+  double moved_m = 0.0;
+  double spare_m = along.room_m(points.front()) - least_m;
   for (std::size_t i = 1; i < points.size(); ++i) {
+    const double sure_m = moved_m + spare_m;
     const bool last = i + 1 == points.size();
     if (!last && along.moved_m(points[i + 1]) <= sure_m) continue;
-    const double spare_m = along.room_m(points[i]) - least_m;
-    const double moved_m = along.moved_m(points[i]);
+    const double before_m = std::exchange(moved_m, along.moved_m(points[i]));
+    const double before_spare_m = std::exchange(spare_m, along.room_m(points[i]) - least_m);
+    const double length_m = moved_m - before_m;
     const bool leaving = i == 1 && least_m < 0.0;
-    if (spare_m < 0.0 || (!leaving && moved_m - spare_m > sure_m)) return false;
-    sure_m = moved_m + spare_m;
+    if (spare_m < 0.0) return false;
+    if (leaving || moved_m - spare_m <= sure_m) continue;
+    if (std::min(before_spare_m, spare_m) < 0.25 * length_m * length_m / radius_m) return false;
   }
   return true;
 }

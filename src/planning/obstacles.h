@@ -78,6 +78,7 @@ class Obstacles {
   Footprint footprint_;  ///< with margin
   double inner_m_;
   double offset_m_;
+  double smallest_m_;  ///< radius of its smallest disc
   std::shared_ptr<const DistanceField> field_;
   std::shared_ptr<const Obstacles> narrow_;  ///< null in one that is narrow itself
 };

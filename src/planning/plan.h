@@ -24,8 +24,10 @@ enum class GoalPolicy {
 /// the obstacles. Opaque to the caller, who hands it on from the PlanResult to the next request as
 /// long as the robot does what was planned.
 struct PlanMemory {
-  std::vector<std::size_t> entries;  ///< indices in the repertoire, the first one walked meanwhile
-  double price = 0.0;                ///< of all but the first
+  std::vector<std::size_t> entries;  ///< indices in the repertoire
+  bool is_begun = true;              ///< the first one was walked meanwhile
+  double price = 0.0;                ///< of all of them
+  double first_price = 0.0;          ///< of the first
   std::shared_ptr<const WayField> ways;
   std::shared_ptr<const WayField> bound;
   bool is_narrow = false;  ///< planned with ObstacleOptions::narrow_margin_m
@@ -46,6 +48,8 @@ struct PlanRequest {
   GoalPolicy goal_policy = GoalPolicy::kRefuse;
   /// Of the last plan to this goal, after its first step was walked.
   PlanMemory memory;
+  /// Share of planning_time_s that may be spent.
+  double effort = 1.0;
 };
 
 /// How planning ended. Only kFound and kAlreadyThere are successes.
@@ -97,6 +101,8 @@ struct PlanResult {
   /// Smallest room between footprint with margin and what is occupied along the plan [m].
   double clearance_m = std::numeric_limits<double>::infinity();
   PlanMemory memory;
+  /// What was spent of planning_time_s, as a share of it.
+  double effort = 0.0;
 
   bool success() const { return code == PlanCode::kFound || code == PlanCode::kAlreadyThere; }
   /// Behaviours that a better plan may save at most.

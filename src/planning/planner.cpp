@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "common/text.h"
+#include "planning/aim.h"
 #include "planning/beam_search.h"
 #include "planning/plan_messages.h"
 
@@ -27,31 +28,6 @@ const PlannerOptions& checked(const PlannerOptions& options) {
   return options;
 }
 
-void measureTo(const Pose2& world_from_end, PlanResult& result) {
-  result.world_from_end = world_from_end;
-  result.distance_m = distance(world_from_end, result.world_from_target);
-  result.heading_rad = headingDistance(world_from_end, result.world_from_target);
-}
-
-bool arrived(const PlanResult& result, const GoalTolerance& tolerance) {
-  return result.distance_m <= tolerance.xy_m &&
-         (tolerance.anyHeading() || result.heading_rad <= tolerance.yaw_rad);
-}
-
-/// Whether the robot can stand at the goal, or beside it well within the tolerance.
-bool canStandAt(const Obstacles& obstacles, const Pose2& goal, const GoalTolerance& tolerance) {
-  if (obstacles.isFree(goal)) return true;
-  for (int i = 0; i < 8; ++i) {
-    const double direction_rad = M_PI / 4.0 * i;
-    const double off_m = 0.7 * tolerance.xy_m;
-    if (obstacles.isFree({goal.x_m + off_m * std::cos(direction_rad),
-                          goal.y_m + off_m * std::sin(direction_rad), goal.yaw_rad})) {
-      return true;
-    }
-  }
-  return false;
-}
-
 // Nearly all plans that there are with the whole margin are found with so much of the effort.
 constexpr double kWideEffort = 0.2;
 
@@ -59,10 +35,6 @@ constexpr double kWideEffort = 0.2;
 bool mayBeNarrow(PlanCode code) {
   return code == PlanCode::kGoalOccupied || code == PlanCode::kBlocked ||
          code == PlanCode::kUnreachable || code == PlanCode::kTimeout;
-}
-
-WayField::Question questionOf(const PlanRequest& request, const Pose2& target) {
-  return {request.obstacles, request.world_from_start, target, request.tolerance.xy_m};
 }
 
 }  // namespace
@@ -79,23 +51,33 @@ Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options,
 }
 
 PlanResult Planner::plan(const PlanRequest& request) const {
-  if (!request.obstacles || !request.obstacles->narrow()) return planAmong(request, 1.0);
+  if (!request.obstacles || !request.obstacles->narrow()) return planAmong(request);
   PlanRequest wide = request;
   wide.goal_policy = GoalPolicy::kRefuse;
   PlanRequest narrow = wide;
   narrow.obstacles = request.obstacles->narrow();
-  if (!request.memory.is_narrow) {
-    PlanResult result = planAmong(wide, kWideEffort);
+  wide.effort *= kWideEffort;
+  double effort = 0.0;
+  // A newer map may leave more room.
+  const PlanMemory& memory = request.memory;
+  if (!memory.is_narrow || !memory.ways || !memory.ways->isAmong(narrow.obstacles)) {
+    PlanResult result = planAmong(wide);
     if (!mayBeNarrow(result.code) || (request.stop && request.stop())) return result;
+    effort = result.effort;
   }
-  PlanResult result = planAmong(narrow, 1.0);
+  PlanResult result = planAmong(narrow);
   result.memory.is_narrow = true;
-  const bool moves_target = request.goal_policy == GoalPolicy::kNearest && !result.success();
-  return moves_target ? planAmong(request, 1.0) : result;
+  effort += result.effort;
+  if (request.goal_policy == GoalPolicy::kNearest && !result.success()) {
+    result = planAmong(request);
+    effort += result.effort;
+  }
+  result.effort = effort;
+  return result;
 }
 
 /// With the margin of the request's obstacles.
-PlanResult Planner::planAmong(const PlanRequest& request, double effort) const {
+PlanResult Planner::planAmong(const PlanRequest& request) const {
   PlanResult result;
   result.world_from_target = request.world_from_goal;
   result.world_from_end = request.world_from_start;
@@ -105,62 +87,17 @@ PlanResult Planner::planAmong(const PlanRequest& request, double effort) const {
     return result;
   }
   measureTo(request.world_from_start, result);
-  if (arrived(result, request.tolerance)) {
+  if (isWithin(request.tolerance, result)) {
     result.code = PlanCode::kAlreadyThere;
   } else if (tables_.moves.empty()) {
     result.code = PlanCode::kNoRepertoire;
     result.message = noRepertoire(ids_.size());
     return result;
-  } else if (!request.obstacles || (standsFree(request, result) && findsWays(request, result))) {
-    search(request, effort, result);
+  } else if (!request.obstacles || aim(request, result)) {
+    search(request, result);
   }
   result.message = describe(result, request, options_);
   return result;
-}
-
-/// Whether the robot stands free and can do so at the goal, or at what is nearest to it.
-bool Planner::standsFree(const PlanRequest& request, PlanResult& result) const {
-  const Obstacles& obstacles = *request.obstacles;
-  if (obstacles.clearance_m(request.world_from_start) < -obstacles.options().footprint_margin_m) {
-    result.code = PlanCode::kStartOccupied;
-    return false;
-  }
-  if (canStandAt(obstacles, request.world_from_goal, request.tolerance)) return true;
-  return movesTarget(request, result, PlanCode::kGoalOccupied);
-}
-
-/// Whether there is a way to the target, or to what is nearest to it.
-bool Planner::findsWays(const PlanRequest& request, PlanResult& result) const {
-  const WayField::Question question = questionOf(request, result.world_from_target);
-  const PlanMemory& memory = request.memory;
-  if (memory.ways && memory.ways->answers(question)) {
-    result.memory.ways = memory.ways;
-    result.memory.bound = memory.bound;
-    return true;
-  }
-  WaySearch found = findWays(question);
-  result.memory.ways = found.ways;
-  result.memory.bound = found.bound;
-  if (!found.blocked) return true;
-  return movesTarget(request, result, PlanCode::kBlocked) && findsWays(request, result);
-}
-
-/// Where the goal cannot be had: takes the nearest free pose that has a way for the target, if that
-/// is wanted, and else tells it. False when there is nothing left to search.
-bool Planner::movesTarget(const PlanRequest& request, PlanResult& result, PlanCode code) const {
-  const std::optional<Pose2> nearest =
-      nearestFreePose(questionOf(request, request.world_from_goal));
-  const bool moved = distance(result.world_from_target, request.world_from_goal) > 0.0;
-  if (request.goal_policy == GoalPolicy::kNearest && nearest && !moved) {
-    result.world_from_target = *nearest;
-    measureTo(request.world_from_start, result);
-    if (!arrived(result, request.tolerance)) return true;
-    result.code = PlanCode::kAlreadyThere;
-    return false;
-  }
-  result.code = code;
-  if (nearest) measureTo(*nearest, result);
-  return false;
 }
 
 std::vector<std::size_t> Planner::entries() const {
@@ -195,17 +132,18 @@ bool Planner::isFree(const Obstacles& obstacles, const Pose2& world_from_start,
                           std::min(0.0, obstacles.clearance_m(world_from_start)));
 }
 
-void Planner::search(const PlanRequest& request, double effort, PlanResult& result) const {
-  SearchProblem problem = problemOf(request, result);
-  problem.effort = effort;
+void Planner::search(const PlanRequest& request, PlanResult& result) const {
+  const SearchProblem problem = problemOf(request, result);
   const SearchResult found =
       BeamSearch(tables_, options_, problem, boundOf(problem, result.memory.bound.get())).run();
   compose(found.chain, problem.obstacles, result);
   measureTo(result.world_from_end, result);
   result.at_least_steps = static_cast<std::size_t>(found.at_least);
+  result.effort = found.spent_s / options_.planning_time_s;
   if (found.found) {
     result.code = PlanCode::kFound;
-    result.memory.price = found.price - tables_.moves[found.chain.front()].cost;
+    result.memory.price = found.price;
+    result.memory.first_price = tables_.moves[found.chain.front()].cost;
     return;
   }
   result.steps.clear();
@@ -223,23 +161,32 @@ SearchProblem Planner::problemOf(const PlanRequest& request, const PlanResult& r
   problem.tolerance = request.tolerance;
   problem.stop = request.stop;
   problem.improved = request.improved;
+  problem.effort = request.effort;
   problem.obstacles = request.obstacles.get();
   problem.ways = result.memory.ways.get();
   if (request.obstacles) {
     problem.least_clearance_m =
         std::min(0.0, request.obstacles->clearance_m(request.world_from_start));
   }
-  const std::vector<std::size_t>& entries = request.memory.entries;
-  for (std::size_t i = 1; i < entries.size(); ++i) {
-    const std::size_t move = entries[i] < move_of_.size() ? move_of_[entries[i]] : kNone;
+  const PlanMemory& memory = request.memory;
+  for (std::size_t i = memory.is_begun ? 1 : 0; i < memory.entries.size(); ++i) {
+    const std::size_t entry = memory.entries[i];
+    const std::size_t move = entry < move_of_.size() ? move_of_[entry] : kNone;
     if (move == kNone) {
       problem.earlier.clear();
       break;
     }
     problem.earlier.push_back(move);
   }
-  problem.earlier_price = request.memory.price;
+  problem.earlier_price = memory.price - (memory.is_begun ? memory.first_price : 0.0);
   return problem;
+}
+
+double Planner::stepsToGo(const Pose2& world_from_start, const Pose2& world_from_goal,
+                          bool any_heading, const WayField* ways) const {
+  const Pose2 start_from_goal = inverse(world_from_start) * world_from_goal;
+  if (!ways) return tables_.steps_to_go(start_from_goal, any_heading);
+  return tables_.steps_to_go(*ways, world_from_start, start_from_goal.yaw_rad, any_heading);
 }
 
 /// Behaviours at least, before any search.

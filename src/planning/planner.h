@@ -59,16 +59,17 @@ class Planner {
   double turn_rad() const;
   /// @}
 
+  /// Rough number of behaviours to a goal, along `ways` to it, which may be null: StepsToGo.
+  double stepsToGo(const Pose2& world_from_start, const Pose2& world_from_goal, bool any_heading,
+                   const WayField* ways) const;
+
   /// The one that leads nearest to `start_from_end` by behaviorGap_m(); its end in the frame of the
   /// start. Nothing when there is none.
   std::optional<PlannedStep> nearestStep(const Pose2& start_from_end) const;
 
  private:
-  PlanResult planAmong(const PlanRequest& request, double effort) const;
-  bool findsWays(const PlanRequest& request, PlanResult& result) const;
-  bool standsFree(const PlanRequest& request, PlanResult& result) const;
-  bool movesTarget(const PlanRequest& request, PlanResult& result, PlanCode code) const;
-  void search(const PlanRequest& request, double effort, PlanResult& result) const;
+  PlanResult planAmong(const PlanRequest& request) const;
+  void search(const PlanRequest& request, PlanResult& result) const;
   SearchProblem problemOf(const PlanRequest& request, const PlanResult& result) const;
   int boundOf(const SearchProblem& problem, const WayField* bound) const;
   void compose(const std::vector<std::size_t>& chain, const Obstacles* obstacles,

@@ -1,68 +1,22 @@
 #include "planning/route.h"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <utility>
 
 namespace hexapod {
-namespace {
 
-// Either side of the direction that one arrives in.
-constexpr double kFacing_rad = M_PI / 6.0;
-constexpr std::size_t kNever = std::numeric_limits<std::size_t>::max();
-
-PlanRequest requestFor(const PlanRequest& request, const Waypoint& waypoint) {
-  PlanRequest leg = request;
-  leg.world_from_goal = waypoint.world_from_goal;
-  leg.tolerance = waypoint.tolerance;
-  return leg;
+void RouteMemory::begin() {
+  if (steps > 0) --steps;
+  if (!legs.empty()) legs.front().memory.is_begun = true;
 }
 
-/// The same waypoint, to be arrived at in about that heading; nothing where it may not be.
-std::optional<Waypoint> facing(const Waypoint& waypoint, double heading_rad) {
-  Waypoint faced = waypoint;
-  faced.world_from_goal.yaw_rad = heading_rad;
-  faced.tolerance.yaw_rad = kFacing_rad;
-  if (waypoint.tolerance.anyHeading()) return faced;
-  const double off_rad = headingDistance(faced.world_from_goal, waypoint.world_from_goal);
-  if (off_rad + kFacing_rad > waypoint.tolerance.yaw_rad) return std::nullopt;
-  return faced;
+void RouteMemory::pass() {
+  if (!legs.empty()) legs.erase(legs.begin());
 }
 
-/// Behaviours of a leg and of the one after it.
-std::size_t stepsOfBoth(const PlanFunction& plan, const PlanRequest& request, const PlanResult& leg,
-                        const Waypoint& next) {
-  if (!leg.success()) return kNever;
-  PlanRequest after = requestFor(request, next);
-  after.world_from_start = leg.world_from_end;
-  after.memory = {};
-  const PlanResult second = plan(after);
-  return second.success() ? leg.steps.size() + second.steps.size() : kNever;
-}
-
-}  // namespace
-
-PlanResult planLeg(const PlanFunction& plan, const PlanRequest& request, const Waypoint& waypoint,
-                   const Waypoint* next) {
-  PlanResult best = plan(requestFor(request, waypoint));
-  if (!next || best.code != PlanCode::kFound) return best;
-  const Pose2& here = waypoint.world_from_goal;
-  const double ahead_rad =
-      std::atan2(next->world_from_goal.y_m - here.y_m, next->world_from_goal.x_m - here.x_m);
-  std::optional<std::size_t> least;
-  for (const double heading_rad : {ahead_rad, wrapAngle(ahead_rad + M_PI)}) {
-    const auto faced = facing(waypoint, heading_rad);
-    if (!faced) continue;
-    if (!least) least = stepsOfBoth(plan, request, best, *next);
-    PlanResult leg = plan(requestFor(request, *faced));
-    const std::size_t steps = stepsOfBoth(plan, request, leg, *next);
-    if (steps >= *least) continue;
-    least = steps;
-    best = std::move(leg);
-  }
-  return best;
+std::size_t RoutePlan::steps() const {
+  std::size_t steps = 0;
+  for (const PlanResult& leg : legs) steps += leg.steps.size();
+  return steps;
 }
 
 void append(const PlanResult& leg, PlanResult& whole) {

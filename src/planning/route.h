@@ -1,6 +1,7 @@
 #pragma once
 
-#include <functional>
+#include <cstddef>
+#include <vector>
 
 #include "planning/plan.h"
 
@@ -12,18 +13,32 @@ struct Waypoint {
   GoalTolerance tolerance;
 };
 
-/// How a goal is planned to.
-using PlanFunction = std::function<PlanResult(const PlanRequest&)>;
+/// What one plan of a route leaves for the next one.
+struct RouteMemory {
+  struct Leg {
+    Waypoint arrival;  ///< the part of the waypoint's tolerance that was chosen to arrive in
+    PlanMemory memory;
+  };
+  std::vector<Leg> legs;  ///< one per waypoint that is still ahead
+  std::size_t steps =
+      0;  ///< promised for the whole when the arrivals were chosen, less those walked
 
-/// Plans to a waypoint, from `request`'s start (its goal and tolerance are not used), with a look
-/// at the one after it, which may be null.
-///
-/// Where a waypoint leaves its heading open, the cheapest way to arrive is not always the cheapest
-/// to go on from: arriving so that the next one lies ahead or behind is taken when both legs
-/// together then have fewer behaviours. The next one only chooses between ways to arrive; that it
-/// cannot be reached is no reason not to go here.
-PlanResult planLeg(const PlanFunction& plan, const PlanRequest& request, const Waypoint& waypoint,
-                   const Waypoint* next);
+  /// The first step of the plan was walked.
+  void begin();
+  /// The first waypoint was passed.
+  void pass();
+};
+
+/// A chain of plans from waypoint to waypoint.
+struct RoutePlan {
+  /// One per waypoint in order, each from where the one before ends; ends with the first that is no
+  /// success. Never empty.
+  std::vector<PlanResult> legs;
+  RouteMemory memory;
+
+  bool success() const { return legs.back().success(); }
+  std::size_t steps() const;
+};
 
 /// Adds a leg to the plan of a route, which begins empty. Of the number of behaviours only what is
 /// proved of the first leg holds of the whole.

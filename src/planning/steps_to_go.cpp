@@ -1,6 +1,7 @@
 #include "planning/steps_to_go.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace hexapod {
 namespace {
@@ -38,6 +39,15 @@ double StepsToGo::operator()(const Pose2& start_from_goal, bool any_heading) con
       Ahead{std::hypot(start_from_goal.x_m, start_from_goal.y_m),
             std::atan2(start_from_goal.y_m, start_from_goal.x_m), 0.0, start_from_goal.yaw_rad},
       any_heading);
+}
+
+double StepsToGo::operator()(const WayField& ways, const Pose2& world_from_robot,
+                             double goal_heading_rad, bool any_heading) const {
+  const auto way = ways.wayFrom(world_from_robot.x_m, world_from_robot.y_m);
+  if (!way) return std::numeric_limits<double>::infinity();
+  return (*this)({way->length_m, wrapAngle(way->direction_rad - world_from_robot.yaw_rad),
+                  wrapAngle(way->arrival_rad - way->direction_rad), goal_heading_rad},
+                 any_heading);
 }
 
 double StepsToGo::operator()(const Ahead& ahead, bool any_heading) const {

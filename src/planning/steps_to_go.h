@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "planning/move.h"
+#include "planning/way_field.h"
 
 namespace hexapod {
 
@@ -26,6 +27,9 @@ class StepsToGo {
   double operator()(const Ahead& ahead, bool any_heading) const;
   /// Straight to the goal.
   double operator()(const Pose2& start_from_goal, bool any_heading) const;
+  /// Along the ways to it, which lies in that heading from the robot; infinite where none begins.
+  double operator()(const WayField& ways, const Pose2& world_from_robot, double goal_heading_rad,
+                    bool any_heading) const;
 
   /// Longest distance that one behaviour covers [m].
   double reach_m() const { return reach_m_; }

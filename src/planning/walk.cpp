@@ -1,5 +1,6 @@
 #include "planning/walk.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace hexapod {
@@ -8,6 +9,10 @@ namespace {
 constexpr double kMetresPerRadian = 0.3;
 // Smaller deviations are the ordinary spread of a behaviour, whatever share of its length they are.
 constexpr double kOrdinaryDeviation_m = 0.06;
+
+// So many waypoints are planned through before each behaviour: what comes after them hardly changes
+// the next one, and the robot stands meanwhile.
+constexpr std::ptrdiff_t kAhead = 8;
 
 // Size of a displacement [m], a radian counted as kMetresPerRadian.
 double extent(const Pose2& a, const Pose2& b) {
@@ -53,19 +58,33 @@ std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, Walk
          ". Free the robot, or check that the repertoire was learned for it.";
 }
 
-/// To the first waypoint that the robot is not at yet.
-PlanResult Walk::planOnward(PlanRequest request) {
-  const auto plan_to = [this](const PlanRequest& one) { return planner_->plan(one); };
-  for (;;) {
-    request.memory = std::move(memory_);
-    const Waypoint* next = at_ + 1 < route_.size() ? &route_[at_ + 1] : nullptr;
-    PlanResult plan = planLeg(plan_to, request, route_[at_], next);
-    memory_ = plan.memory;
-    if (plan.code != PlanCode::kAlreadyThere || !next) return plan;
-    ++at_;
-    memory_ = {};
-    most_steps_ = kUnknown;
-  }
+bool Walk::isAt(const Waypoint& waypoint, const Pose2& world_from_robot) const {
+  const GoalTolerance& tolerance = waypoint.tolerance;
+  return distance(world_from_robot, waypoint.world_from_goal) <= tolerance.xy_m &&
+         (tolerance.anyHeading() ||
+          headingDistance(world_from_robot, waypoint.world_from_goal) <= tolerance.yaw_rad);
+}
+
+/// The next waypoint is walked to.
+void Walk::pass() {
+  ++at_;
+  most_steps_ = kUnknown;
+  memory_.pass();
+}
+
+/// The plan to the first waypoint that the robot is not at yet, with a view to all after it.
+PlanResult Walk::planOnward(const PlanRequest& request) {
+  while (at_ + 1 < route_.size() && isAt(route_[at_], request.world_from_start)) pass();
+  const auto from = route_.begin() + static_cast<std::ptrdiff_t>(at_);
+  const std::vector<Waypoint> ahead(from, from + std::min(kAhead, route_.end() - from));
+  RoutePlan plan = RoutePlanner(*planner_).plan(request, ahead, memory_);
+  memory_ = std::move(plan.memory);
+  // The nearest free pose that stands for a waypoint may be where the robot stands.
+  std::size_t leg = 0;
+  for (; plan.legs[leg].code == PlanCode::kAlreadyThere && leg + 1 < plan.legs.size(); ++leg)
+    pass();
+  memory_.begin();
+  return plan.legs[leg];
 }
 
 std::string Walk::describeArrival(const Pose2& world_from_robot, const PlanResult& plan) const {
@@ -90,7 +109,7 @@ Walk::Decision Walk::decide(const Pose2& world_from_robot, const std::function<b
   request.stop = stop;
   request.obstacles = obstacles_;
   request.goal_policy = options_.goal_policy;
-  decision.plan = planOnward(std::move(request));
+  decision.plan = planOnward(request);
   decision.waypoint = at_;
   decision.message = decision.plan.message;
   if (decision.plan.code == PlanCode::kAlreadyThere) {

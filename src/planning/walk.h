@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "planning/adaptive_planner.h"
-#include "planning/route.h"
+#include "planning/route_planner.h"
 
 namespace hexapod {
 
@@ -36,7 +36,9 @@ struct WalkOptions {
 };
 
 /// One walk to a goal, or through several, behaviour by behaviour, planned anew from the measured
-/// pose before each one, with the plan before for a start.
+/// pose before each one, with the plan before for a start. A waypoint is passed when the robot
+/// comes to rest within its tolerance; that a later one cannot be reached is no reason not to go to
+/// it.
 ///
 /// Knows no clock and no robot: decide() is told where the robot stands at rest and answers what to
 /// play. Not thread-safe.
@@ -79,7 +81,9 @@ class Walk {
   std::int64_t stepsTaken() const { return steps_taken_; }
 
  private:
-  PlanResult planOnward(PlanRequest request);
+  PlanResult planOnward(const PlanRequest& request);
+  bool isAt(const Waypoint& waypoint, const Pose2& world_from_robot) const;
+  void pass();
   std::string describeArrival(const Pose2& world_from_robot, const PlanResult& plan) const;
   std::optional<std::string> problemWith(const Pose2& world_from_robot, WalkState& state);
 
@@ -95,7 +99,7 @@ class Walk {
   Pose2 before_;
   std::vector<JointRange> joints_;  // of expected_
   std::shared_ptr<const Obstacles> obstacles_;
-  PlanMemory memory_;  // of the last plan, whose first step is expected_
+  RouteMemory memory_;  // of the last plan, whose first step is expected_
 };
 
 }  // namespace hexapod

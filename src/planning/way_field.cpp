@@ -10,9 +10,10 @@ namespace {
 
 constexpr double kFinestCell_m = 0.05;
 constexpr double kMostCells = 4e6;
-constexpr double kAround_m = 8.0;
 // Beyond the start a search may still want to turn.
 constexpr double kBeyond_m = 2.5;
+// Seen between two looks at whether it is to stop: a millisecond.
+constexpr std::size_t kCellsAtOnce = 8192;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // Steps of 1 and 7/5 overestimate a straight line by at most sqrt(1 + 0.4^2), at a slope of 0.4.
 constexpr double kLongest = 1.0771;
@@ -25,6 +26,7 @@ WayField::WayField(const Question& question, Open open, double around_m)
     : question_(question), open_(open), most_m_(2.0 * around_m) {
   layOut(around_m);
   spread();
+  question_.stop = nullptr;
 }
 
 /// Chooses the rectangle of cells: start, goal and what is around them, within the map or, where
@@ -112,10 +114,17 @@ void WayField::spread() {
   for (const Index seed : seeds()) buckets[0].push_back({seed, seed});
   std::int32_t last = std::numeric_limits<std::int32_t>::max();
   std::int32_t empty = 0;
+  std::size_t seen = 0;
   for (std::int32_t now = 0; now <= last && empty < static_cast<std::int32_t>(kBuckets); ++now) {
+    if (seen > kCellsAtOnce) {
+      seen = 0;
+      cut_short_ = question_.stop && question_.stop();
+      if (cut_short_) return;
+    }
     std::vector<std::pair<Index, Index>>& bucket =
         buckets[static_cast<std::size_t>(now) % kBuckets];
     empty = bucket.empty() ? empty + 1 : 0;
+    seen += bucket.size();
     for (const auto& [cell, predecessor] : bucket) {
       if (cells_[static_cast<std::size_t>(cell)].fifths != kUnseen) continue;
       if (!isOpen(cell)) {
@@ -216,8 +225,12 @@ double WayField::atLeast_m(double world_x_m, double world_y_m) const {
   return std::clamp((fifths / 5.0 - kEnds) * cell_m_ / kLongest, 0.0, most_m_);
 }
 
+bool WayField::isAmong(const std::shared_ptr<const Obstacles>& obstacles) const {
+  return question_.obstacles == obstacles;
+}
+
 bool WayField::answers(const Question& question) const {
-  return question_.obstacles == question.obstacles && question_.radius_m == question.radius_m &&
+  return isAmong(question.obstacles) && question_.radius_m == question.radius_m &&
          distance(question_.world_from_goal, question.world_from_goal) == 0.0 &&
          wayFrom(question.world_from_start.x_m, question.world_from_start.y_m).has_value();
 }
@@ -238,39 +251,6 @@ std::optional<Pose2> WayField::freePoseNearest(const Pose2& world_from_wish) con
     least_m = off_m;
   }
   return nearest;
-}
-
-std::optional<Pose2> nearestFreePose(const WayField::Question& question) {
-  // A wave from the start that never gets to its goal sees all that hangs together.
-  WayField::Question back = question;
-  back.world_from_goal = question.world_from_start;
-  back.world_from_start = question.world_from_goal;
-  back.radius_m = 0.0;
-  for (const double around_m : {kAround_m, kInfinity}) {
-    const WayField field(back, WayField::Open::kSurely, around_m);
-    const std::optional<Pose2> nearest = field.freePoseNearest(question.world_from_goal);
-    if (nearest) return nearest;
-  }
-  return std::nullopt;
-}
-
-WaySearch findWays(const WayField::Question& question) {
-  const auto search = [&](WayField::Open open, double around_m) {
-    auto field = std::make_shared<const WayField>(question, open, around_m);
-    const bool found =
-        field->wayFrom(question.world_from_start.x_m, question.world_from_start.y_m).has_value();
-    return found ? field : nullptr;
-  };
-  WaySearch result;
-  for (const double around_m : {kAround_m, kInfinity}) {
-    result.bound = search(WayField::Open::kPossibly, around_m);
-    if (!result.bound) continue;
-    result.ways = search(WayField::Open::kSurely, around_m);
-    if (result.ways) return result;
-  }
-  result.blocked = !result.bound;
-  result.ways = result.bound;
-  return result;
 }
 
 }  // namespace hexapod

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -23,6 +24,9 @@ class WayField {
     Pose2 world_from_start;
     Pose2 world_from_goal;
     double radius_m = 0.0;  ///< as near to the goal as that is there
+    /// May be empty: asked now and then; ways are looked for no longer once it returns true. Not
+    /// kept.
+    std::function<bool()> stop = {};
   };
 
   /// Which cells are open.
@@ -51,7 +55,13 @@ class WayField {
   /// infinite when there is none. Of places farther than the start: as of the farthest known.
   double atLeast_m(double world_x_m, double world_y_m) const;
 
-  /// Whether it was made for that obstacles and goal, and knows a way from that start.
+  /// Whether it was stopped before it had seen everything: what it does not know there may be.
+  bool isCutShort() const { return cut_short_; }
+
+  /// Whether it was made for these obstacles.
+  bool isAmong(const std::shared_ptr<const Obstacles>& obstacles) const;
+
+  /// Whether it was made for these obstacles and goal, and knows a way from that start.
   bool answers(const Question& question) const;
 
  private:
@@ -89,21 +99,8 @@ class WayField {
   double most_m_ = 0.0;  ///< paths from start to goal that leave the cells are longer
   std::int32_t farthest_fifths_ = 0;
   bool reached_ = false;
+  bool cut_short_ = false;
   std::vector<Cell> cells_;
 };
-
-/// The ways to a goal, or that there is none.
-struct WaySearch {
-  std::shared_ptr<const WayField> ways;   ///< to order a search by
-  std::shared_ptr<const WayField> bound;  ///< with kPossibly; may be the same
-  bool blocked = false;                   ///< proved: no path leads from the start to the goal
-};
-
-/// First near start and goal and where there is surely room; then everywhere.
-WaySearch findWays(const WayField::Question& question);
-
-/// The free pose nearest to the goal, with its heading, to which there surely is a way from the
-/// start; nothing when the start itself has no room.
-std::optional<Pose2> nearestFreePose(const WayField::Question& question);
 
 }  // namespace hexapod

@@ -16,6 +16,7 @@
 #include "tools/bench_plan_options.h"
 #include "tools/package_files.h"
 #include "tools/plan_trial.h"
+#include "tools/route_trial.h"
 #include "tools/walk_trial.h"
 
 namespace hexapod {
@@ -116,6 +117,30 @@ void measureWorlds(const Repertoire& repertoire, const EntryPaths& paths,
   report.add("\nHow planning ended:\n\n" + failures);
 }
 
+/// Through waypoints leg by leg and as a whole, in the empty world and in some of the others.
+void measureRoutes(const Repertoire& repertoire, const EntryPaths& paths,
+                   const Footprint& footprint, const BenchPlanOptions& options, Report& report) {
+  constexpr std::size_t kWaypoints = 6;
+  const AdaptivePlanner planner(repertoire, PlannerOptions{}, nullptr, paths);
+  const std::size_t goals = kWaypoints * static_cast<std::size_t>(options.routes);
+  auto seed = static_cast<std::uint64_t>(options.seed) + 200;
+  report.add("\nRoutes through " + std::to_string(kWaypoints) +
+             " waypoints, to 5 cm and any heading, the last one to 2 cm and 3 degrees:\n\n" +
+             kRouteHeading);
+  const auto measure = [&](const std::string& name, const std::vector<PlanTask>& tasks) {
+    Random random(seed);
+    std::vector<RouteTrial> trials;
+    for (const RouteTask& task : routesOf(tasks, kWaypoints)) {
+      trials.push_back(runRoute(planner, task, random));
+    }
+    report.add(describe(name, trials));
+  };
+  measure("empty", tasksInTheEmpty(goals, kWorldTolerance, seed));
+  for (const WorldKind& kind : openWorldKinds()) {
+    measure(kind.name, tasksIn(kind, goals, kWorldTolerance, footprint, ObstacleOptions{}, ++seed));
+  }
+}
+
 /// The simulated robot walks, in ODE, to the goals of those worlds.
 void measureWalks(const Repertoire& repertoire, const EntryPaths& paths,
                   const RobotDescription& robot, const BenchPlanOptions& options, Report& report) {
@@ -154,7 +179,8 @@ std::string introduction(const BenchPlanOptions& options, const Repertoire& repe
                          const Footprint& footprint) {
   return "# Planning, measured\n\n`./run bench plan --seed " + std::to_string(options.seed) +
          " --goals " + std::to_string(options.goals) + " --world_goals " +
-         std::to_string(options.world_goals) + " --walks " + std::to_string(options.walks) +
+         std::to_string(options.world_goals) + " --routes " + std::to_string(options.routes) +
+         " --walks " + std::to_string(options.walks) +
          (options.csv.empty() ? "" : " --csv " + options.csv) +
          "`, processor time of one core.\n\n" + describeMachine() + "\nRepertoire: run " +
          repertoire.run_id + ", " + std::to_string(repertoire.entries.size()) +
@@ -189,6 +215,7 @@ int benchPlan(const std::vector<std::string>& arguments) {
                  kCoarseTolerance, options, report);
   }
   measureWorlds(repertoire, paths, footprint, options, report);
+  if (options.routes > 0) measureRoutes(repertoire, paths, footprint, options, report);
   if (options.walks > 0) measureWalks(repertoire, paths, robot, options, report);
   if (!options.write.empty()) report.writeTo(options.write);
   return 0;

@@ -16,6 +16,8 @@ std::vector<Option> declareOptions(BenchPlanOptions& options) {
       option("seed", options.seed, "Seed of worlds, starts and goals.", 0, 1000000000),
       option("goals", options.goals, "Goals in the empty world.", 1, 1000000),
       option("world_goals", options.world_goals, "Goals in each kind of world.", 1, 100000),
+      option("routes", options.routes, "Routes through six waypoints in each kind of world.", 0,
+             100000),
       option("walks", options.walks, "Walks of the simulated robot in those worlds, spread evenly.",
              0, 100000),
       option("write", options.write, "Also write the report to this file.")};

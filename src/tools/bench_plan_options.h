@@ -16,6 +16,7 @@ struct BenchPlanOptions {
   std::int64_t seed = 1;
   std::int64_t goals = 1000;
   std::int64_t world_goals = 100;
+  std::int64_t routes = 0;
   std::int64_t walks = 0;
   std::string write;
 };

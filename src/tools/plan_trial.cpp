@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "tools/bench_machine.h"
+#include "tools/bench_numbers.h"
 #include "tools/touch_check.h"
 
 namespace hexapod {
@@ -20,19 +21,6 @@ constexpr double kLookAround_m = 0.3;
 double normal(Random& random) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));
   return radius * std::cos(2.0 * M_PI * random.uniform());
-}
-
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  std::sort(values.begin(), values.end());
-  const double rank = std::ceil(share * static_cast<double>(values.size()));
-  return values[static_cast<std::size_t>(std::max(1.0, rank)) - 1];
-}
-
-double mean(const std::vector<double>& values) {
-  double sum = 0.0;
-  for (const double value : values) sum += value;
-  return values.empty() ? 0.0 : sum / static_cast<double>(values.size());
 }
 
 /// Draws poses in the middle of cells.
@@ -113,6 +101,10 @@ bool isConnected(const PlanTask& task, double radius_m) {
                         row)[static_cast<std::size_t>(goal_row * map.columns + goal_column)] != 0;
 }
 
+Pose2 drawMiss(Random& random) {
+  return {kMiss_m * normal(random), kMiss_m * normal(random), kMiss_rad * normal(random)};
+}
+
 PlanTrial PlanTrials::run(const PlanTask& task, Random& random) const {
   PlanTrial trial;
   PlanRequest request = task.request;
@@ -132,8 +124,7 @@ PlanTrial PlanTrials::run(const PlanTask& task, Random& random) const {
 
 void PlanTrials::planAgain(const PlanTask& task, Random& random, PlanTrial& trial) const {
   PlanRequest request = task.request;
-  const Pose2 miss{kMiss_m * normal(random), kMiss_m * normal(random), kMiss_rad * normal(random)};
-  request.world_from_start = trial.plan.steps.front().world_from_end * miss;
+  request.world_from_start = trial.plan.steps.front().world_from_end * drawMiss(random);
   double begin_s = threadCpu_s();
   const bool afresh = planner_.plan(request).success();
   trial.afresh_s = threadCpu_s() - begin_s;

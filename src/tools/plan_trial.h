@@ -41,6 +41,9 @@ std::vector<PlanTask> tasksIn(const WorldKind& kind, std::size_t count,
 /// Whether start and goal are connected for a disc of that radius.
 bool isConnected(const PlanTask& task, double radius_m);
 
+/// How a behaviour misses its prediction before the next plan, drawn: some 4 mm and half a degree.
+Pose2 drawMiss(Random& random);
+
 /// Plans, measures, plans again from about where the first behaviour ends, and checks.
 class PlanTrials {
  public:

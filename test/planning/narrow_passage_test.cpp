@@ -62,6 +62,36 @@ TEST_F(NarrowPassage, IsNoWayWhereNotEvenTheNarrowMarginFits) {
   EXPECT_FALSE(planner_->plan(through(0.7, strict)).success());
 }
 
+TEST_F(NarrowPassage, IsFoundAtAnyResolutionAndOriginOfTheMap) {
+  ObstacleOptions strict;
+  strict.narrow_margin_m = strict.footprint_margin_m;
+  strict.unknown_is_free = false;
+  Random random(1);
+  for (const double resolution_m : {0.02, 0.05, 0.07, 0.1}) {
+    // As many cells as the disc with its margin, 0.66 m wide, and a centimetre beside it take.
+    const int free = static_cast<int>(std::ceil(0.68 / resolution_m - 1e-9));
+    OccupancyMap map;
+    map.resolution_m = resolution_m;
+    map.columns = static_cast<int>(std::lround(4.0 / resolution_m));
+    map.rows = free + 2;
+    map.cells.assign(static_cast<std::size_t>(map.columns * map.rows), 0);
+    std::fill_n(map.cells.begin(), map.columns, 100);
+    std::fill_n(map.cells.end() - map.columns, map.columns, 100);
+    for (int i = 0; i < 5; ++i) {
+      map.world_from_map = randomPose(random, 20.0);
+      const double middle_m = 0.5 * map.rows * resolution_m;
+      PlanRequest request;
+      request.world_from_start = map.world_from_map * Pose2{0.7, middle_m, 0.0};
+      request.world_from_goal = map.world_from_map * Pose2{3.2, middle_m, 0.0};
+      request.obstacles =
+          std::make_shared<const Obstacles>(map, Footprint{{{0.0, 0.0, 0.3}}}, strict);
+      const PlanResult plan = planner_->plan(request);
+      ASSERT_EQ(plan.code, PlanCode::kFound) << resolution_m << " m: " << plan.message;
+      EXPECT_GE(plan.clearance_m, 0.005);
+    }
+  }
+}
+
 TEST_F(NarrowPassage, StaysPlannedThroughOnTheWay) {
   PlanRequest request = through(0.7);
   const PlanResult first = planner_->plan(request);

@@ -74,6 +74,25 @@ TEST(DistanceField, IsExactAtTheCornersOfCells) {
   }
 }
 
+TEST(DistanceField, IsSharpInTheMiddleOfPassagesOfAnyNumberOfCells) {
+  for (const double resolution_m : {0.02, 0.05, 0.07, 0.1, 0.25}) {
+    for (const int free : {3, 4}) {
+      OccupancyMap map;
+      map.resolution_m = resolution_m;
+      map.columns = 20;
+      map.rows = free + 2;
+      map.cells.assign(static_cast<std::size_t>(map.columns * map.rows), 0);
+      std::fill_n(map.cells.begin(), map.columns, 100);
+      std::fill_n(map.cells.end() - map.columns, map.columns, 100);
+      const DistanceField field(map, true);
+      const double half_m = 0.5 * free * resolution_m;
+      for (const double x_m : {7.0, 7.25, 7.5}) {
+        EXPECT_NEAR(field.atLeast(x_m * resolution_m, resolution_m + half_m), half_m, 0.005);
+      }
+    }
+  }
+}
+
 TEST(DistanceField, OfAnEmptyMapIsFarEverywhere) {
   const DistanceField field(mapOf([](double, double) { return false; }, 1.0), true);
   EXPECT_EQ(field.atLeast(0.5, 0.5), DistanceField::kFar_m);

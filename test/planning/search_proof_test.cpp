@@ -127,6 +127,29 @@ TEST_F(AmongObstacles, SaysThatEveryWayIsBlockedAndWhatIsNearest) {
   EXPECT_NE(plan.message.find("close every way"), std::string::npos) << plan.message;
 }
 
+TEST_F(AmongObstacles, DoesNotCallBlockedWhatItHadNoTimeToLookFor) {
+  PlanRequest request = requestTo({3.0, 0.0, 0.0});
+  request.obstacles = room(false);
+  request.stop = [] { return true; };
+  const PlanResult plan = planner_.plan(request);
+  EXPECT_EQ(plan.code, PlanCode::kTimeout);
+  EXPECT_NE(plan.message.find("planning was stopped"), std::string::npos) << plan.message;
+}
+
+TEST_F(AmongObstacles, StandsInAnyHeadingOfALooseGoal) {
+  // A robot of 1 m by 0.2 m in a corridor along y: it fits in lengthwise only.
+  const Footprint longish{
+      {{0.4, 0.0, 0.1}, {0.2, 0.0, 0.1}, {0.0, 0.0, 0.1}, {-0.2, 0.0, 0.1}, {-0.4, 0.0, 0.1}}};
+  PlanRequest request = requestTo({0.0, 1.5, 0.0});
+  request.world_from_start = {0.0, 0.0, M_PI_2};
+  request.obstacles = std::make_shared<const Obstacles>(
+      mapOf([](double x_m, double) { return std::abs(x_m) > 0.4 && std::abs(x_m) < 0.5; }), longish,
+      ObstacleOptions{});
+  EXPECT_EQ(planner_.plan(request).code, PlanCode::kGoalOccupied);
+  request.tolerance.yaw_rad = -1.0;
+  EXPECT_EQ(planner_.plan(request).code, PlanCode::kFound);
+}
+
 TEST_F(AmongObstacles, RefusesAGoalInAnObstacleOrWalksToTheNearestFreePose) {
   const Pose2 in_wall{2.05, 0.0, 0.0};
   EXPECT_EQ(planTo(in_wall, room(true)).code, PlanCode::kGoalOccupied);

@@ -70,6 +70,27 @@ TEST_F(WalkTest, PassesEveryWaypointInOrderAndArrivesAtTheLast) {
   EXPECT_NE(decision.message.find("3 waypoints"), std::string::npos) << decision.message;
 }
 
+TEST_F(WalkTest, TakesNoMoreBehavioursThroughARouteThanItWasPlannedWith) {
+  Random random(3);
+  for (int i = 0; i < 5; ++i) {
+    std::vector<Waypoint> route;
+    for (int k = 0; k < 4; ++k) {
+      route.push_back({{random.uniform(-2.0, 2.0), random.uniform(-2.0, 2.0), 0.0}, {0.05, -1.0}});
+    }
+    const RoutePlan planned = RoutePlanner(*planner_).plan(PlanRequest{}, route);
+    ASSERT_TRUE(planned.success());
+    Walk walk(planner_, route);
+    Pose2 pose;
+    Walk::Decision decision = walk.decide(pose);
+    for (int k = 0; k < 60 && decision.state == WalkState::kStep; ++k) {
+      pose = pose * planner_->repertoire().entries.at(decision.step->entry).expectedPose();
+      decision = walk.decide(pose);
+    }
+    EXPECT_EQ(decision.state, WalkState::kArrived) << decision.message;
+    EXPECT_LE(walk.stepsTaken(), static_cast<std::int64_t>(planned.steps()));
+  }
+}
+
 TEST_F(WalkTest, IsStuckOnTheLaterWaypointThatItCannotGetTo) {
   const std::vector<Waypoint> route = {{{0.9, 0.0, 0.0}, {0.06, -1.0}}, {kGoal, GoalTolerance()}};
   Walk walk(planner_, route);

@@ -1,11 +1,10 @@
-#include "planning/way_field.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
 #include "made_map.h"
+#include "planning/way_search.h"
 
 namespace hexapod {
 namespace {
@@ -75,6 +74,20 @@ TEST(WayField, FindsTheWayAroundTheRimOfAMapWhenBeyondIsFree) {
   const auto across = [](double x_m, double) { return std::abs(x_m) < 0.1; };
   const WayField::Question question{forASmallDisc(across, 2.0), {-0.8, 0.0, 0.0}, {0.8, 0.0, 0.0}};
   EXPECT_FALSE(findWays(question).blocked);
+}
+
+TEST(WayField, ThatIsStoppedProvesNothing) {
+  const auto ring = [](double x_m, double y_m) {
+    const double far_m = std::hypot(x_m, y_m);
+    return far_m > 3.0 && far_m < 3.2;
+  };
+  WayField::Question question{forASmallDisc(ring), {-3.6, 0.0, 0.0}, {0.0, 0.0, 0.0}};
+  EXPECT_TRUE(findWays(question).blocked);
+  question.stop = [] { return true; };
+  const WaySearch search = findWays(question);
+  EXPECT_TRUE(search.cut_short);
+  EXPECT_FALSE(search.blocked);
+  EXPECT_FALSE(search.ways);
 }
 
 TEST(WayField, AnswersForTheSameGoalAndObstaclesOnly) {

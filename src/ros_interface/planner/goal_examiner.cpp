@@ -3,6 +3,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "planning/route_planner.h"
 #include "repertoire/import_repertoire.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/planner/walk_display.h"
@@ -172,20 +173,17 @@ void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
          report);
 }
 
-/// Up to the first waypoint that has no plan.
+/// Through all waypoints, or to the first one that has no plan.
 PlanResult GoalExaminer::planRoute(const AdaptivePlanner& planner, PlanRequest request,
                                    const std::vector<Waypoint>& route) const {
-  const auto plan_to = [&](const PlanRequest& one) { return planner.plan(one); };
-  const Stop stop = request.stop;
+  request.stop = withinWallTime(means_.options, means_.clock, request.stop, route.size());
+  RoutePlan plan = RoutePlanner(planner).plan(request, route);
+  if (route.size() == 1) return plan.legs.front();
   PlanResult whole;
-  for (std::size_t i = 0; i < route.size(); ++i) {
-    request.stop = withinWallTime(means_.options, means_.clock, stop);
-    PlanResult leg =
-        planLeg(plan_to, request, route[i], i + 1 < route.size() ? &route[i + 1] : nullptr);
-    if (route.size() == 1) return leg;
+  for (std::size_t i = 0; i < plan.legs.size(); ++i) {
+    PlanResult& leg = plan.legs[i];
     leg.message = ofWaypoint(i + 1, route.size()) + leg.message;
     if (!leg.success()) return leg;
-    request.world_from_start = leg.world_from_end;
     append(leg, whole);
   }
   return whole;

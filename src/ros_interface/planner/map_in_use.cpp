@@ -46,7 +46,10 @@ std::string MapInUse::take(const nav_msgs::OccupancyGrid& message) {
   std::string problem = readMap(message, map);
   if (!problem.empty()) return problem;
   const std::lock_guard<std::mutex> lock(taking_mutex_);
+  // The same again leaves plans and what they remember of the ways as they are.
+  const bool changes = !taken_ || !isSameFloor(map, *taken_);
   taken_ = std::move(map);
+  if (!changes) return "";
   is_news_ = true;
   changed_.notify_all();
   return "";

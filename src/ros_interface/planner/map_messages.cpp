@@ -64,6 +64,15 @@ std::string readMap(const nav_msgs::OccupancyGrid& message, PublishedMap& map) {
   return "";
 }
 
+bool isSameFloor(const PublishedMap& a, const PublishedMap& b) {
+  const Pose2& at = a.cells.world_from_map;
+  const Pose2& other = b.cells.world_from_map;
+  return a.frame == b.frame && at.x_m == other.x_m && at.y_m == other.y_m &&
+         at.yaw_rad == other.yaw_rad && a.cells.resolution_m == b.cells.resolution_m &&
+         a.cells.columns == b.cells.columns && a.cells.rows == b.cells.rows &&
+         a.cells.cells == b.cells.cells;
+}
+
 MapUpdate applyUpdate(const map_msgs::OccupancyGridUpdate& message, PublishedMap& map) {
   MapUpdate update;
   const std::string why = whyNotOf(message, map);

@@ -20,6 +20,9 @@ struct PublishedMap {
 /// Reads a map; a sentence that says what is wrong with it, or "". Then `map` is as it was.
 std::string readMap(const nav_msgs::OccupancyGrid& message, PublishedMap& map);
 
+/// Whether both say the same of the same floor, whenever they were made.
+bool isSameFloor(const PublishedMap& a, const PublishedMap& b);
+
 /// What an update has come to.
 struct MapUpdate {
   std::string problem;  ///< a sentence when it was refused

@@ -25,8 +25,9 @@ struct WalkMeans {
   static constexpr double kBrokenOff_s = 1.0;
 };
 
-/// `stop`, or that a plan begun now has taken planning_wall_time_s. The clock must outlive it.
+/// `stop`, or that so many plans begun now have taken planning_wall_time_s each. The clock must
+/// outlive it.
 std::function<bool()> withinWallTime(const PlannerNodeOptions& options, const Clock& clock,
-                                     std::function<bool()> stop);
+                                     std::function<bool()> stop, std::size_t plans = 1);
 
 }  // namespace hexapod

@@ -54,6 +54,22 @@ TEST_F(MapInUseTest, StandsWhereItsOriginSaysTurnedAsThatIs) {
   EXPECT_EQ(map_.obstacles(), obstacles) << "another object although nothing has changed";
 }
 
+TEST_F(MapInUseTest, StaysTheSameWhenTheSameComesAgainAndNotWhenOneCellDiffers) {
+  nav_msgs::OccupancyGrid map = halfOccupied({}, "odom");
+  EXPECT_EQ(map_.take(map), "");
+  const auto first = settled();
+  map.header.stamp = ros::Time(5.0);
+  EXPECT_EQ(map_.take(map), "");
+  EXPECT_EQ(settled(), first);
+  map.data[0] = 100;
+  EXPECT_EQ(map_.take(map), "");
+  const auto second = settled();
+  EXPECT_NE(second, first);
+  map.info.origin.position.x += 0.5;
+  EXPECT_EQ(map_.take(map), "");
+  EXPECT_NE(settled(), second);
+}
+
 TEST_F(MapInUseTest, FollowsItsFrameInTheGlobalOne) {
   place(10.0, 1.0);
   EXPECT_EQ(map_.take(halfOccupied({0.0, 0.0, 0.0}, "map")), "");
