@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <stdexcept>
 
 namespace hexapod {
@@ -17,6 +18,7 @@ constexpr std::int64_t kContest_ns = 2 * kSecond_ns;
 FeedbackMerger::FeedbackMerger(const std::vector<std::string>& names, double timeout_s)
     : names_(names),
       timeout_ns_(static_cast<std::int64_t>(timeout_s * static_cast<double>(kSecond_ns))),
+      patience_ns_(2 * timeout_ns_ + kSecond_ns),
       claims_(names.size()),
       readings_(names.size()) {
   for (std::size_t j = 0; j < names.size(); ++j) {
@@ -28,18 +30,35 @@ FeedbackMerger::FeedbackMerger(const std::vector<std::string>& names, double tim
 FeedbackMerger::Result FeedbackMerger::add(const FeedbackMessage& message) {
   if (!findJoints(message)) return Result::kRefused;
   if (found_.empty()) return Result::kNothing;
-  SourceClock& clock = clocks_.emplace(message.source, SourceClock(timeout_ns_)).first->second;
-  if (message.stamp_ns != 0 && !clock.isFresh(message.stamp_ns, message.arrival)) {
-    const std::int64_t age_ns = message.arrival.ros_ns - message.stamp_ns;
-    return refuse("It is stamped " + std::to_string(std::abs(age_ns) / 1'000'000) + " ms " +
-                  (age_ns > 0 ? "ago" : "from now") + " by " + message.source +
-                  "; expected a fresh stamp (or 0). Synchronise the clocks of the machines.");
-  }
+  if (!timeOf(message.source, message.stamp_ns, message.arrival)) return Result::kRefused;
   bool used = false;
   for (const auto& [joint, position_rad] : found_)
     used = take(joint, position_rad, message) || used;
   readings_.contested_joint = contestedJoint(message.arrival.steady_ns);
   return used ? Result::kUsed : Result::kNothing;
+}
+
+std::optional<std::int64_t> FeedbackMerger::timeOf(const std::string& source, std::int64_t stamp_ns,
+                                                   const Arrival& arrival) {
+  if (stamp_ns == 0) return arrival.steady_ns;
+  SourceClock& clock = clockOf(source, arrival.steady_ns);
+  if (clock.isFresh(stamp_ns, arrival)) return clock.steady_ns(stamp_ns);
+  const std::int64_t age_ns = arrival.ros_ns - stamp_ns;
+  refuse("It is stamped " + std::to_string(std::abs(age_ns) / 1'000'000) + " ms " +
+         (age_ns > 0 ? "ago" : "from now") + " by " + source +
+         "; expected a fresh stamp (or 0). Synchronise the clocks of the machines.");
+  return std::nullopt;
+}
+
+SourceClock& FeedbackMerger::clockOf(const std::string& name, std::int64_t now_ns) {
+  if (sources_.count(name) == 0) {
+    for (auto it = sources_.begin(); it != sources_.end();) {
+      it = now_ns - it->second.heard_ns > patience_ns_ ? sources_.erase(it) : std::next(it);
+    }
+  }
+  Source& source = sources_.emplace(name, Source{SourceClock(timeout_ns_), 0}).first->second;
+  source.heard_ns = now_ns;
+  return source.clock;
 }
 
 // The robot's joints of a message into found_; false when the message is refused.
@@ -74,9 +93,7 @@ bool FeedbackMerger::findJoints(const FeedbackMessage& message) {
 bool FeedbackMerger::take(std::size_t joint, double position_rad, const FeedbackMessage& message) {
   Claim& claim = claims_[joint];
   const std::int64_t now_ns = message.arrival.steady_ns;
-  // Long after the executor noticed the silence.
-  const std::int64_t patience_ns = 2 * timeout_ns_ + kSecond_ns;
-  const bool free = claim.owner.empty() || now_ns - claim.owner_heard_ns > patience_ns;
+  const bool free = claim.owner.empty() || now_ns - claim.owner_heard_ns > patience_ns_;
   if (free) claim.owner = message.source;
   if (claim.owner != message.source) {
     claim.rival = message.source;

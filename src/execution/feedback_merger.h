@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -43,10 +44,15 @@ class FeedbackMerger {
 
   Result add(const FeedbackMessage& message);
 
+  /// When something happened that `source` tells, on the arrival's steady time; nothing when its
+  /// stamp is not fresh, see problem(). What is not stamped (0) happens when it comes.
+  std::optional<std::int64_t> timeOf(const std::string& source, std::int64_t stamp_ns,
+                                     const Arrival& arrival);
+
   /// Angles as the driver counts them.
   const JointReadings& readings() const { return readings_; }
 
-  /// A sentence about the last message refused, or reading left out; "" when none was.
+  /// A sentence about the last message refused; "" when none was.
   const std::string& problem() const { return problem_; }
 
   /// "/driver and /joint_state_publisher" for a contested joint, else "".
@@ -61,6 +67,12 @@ class FeedbackMerger {
     std::int64_t rival_heard_ns = 0;  // steady
   };
 
+  struct Source {
+    SourceClock clock;
+    std::int64_t heard_ns;  // steady
+  };
+
+  SourceClock& clockOf(const std::string& name, std::int64_t now_ns);
   bool findJoints(const FeedbackMessage& message);
   bool take(std::size_t joint, double position_rad, const FeedbackMessage& message);
   int contestedJoint(std::int64_t now_ns) const;
@@ -69,8 +81,9 @@ class FeedbackMerger {
   std::vector<std::string> names_;
   std::unordered_map<std::string, std::size_t> index_;
   std::int64_t timeout_ns_;
-  std::map<std::string, SourceClock> clocks_;  // by source
-  std::vector<Claim> claims_;                  // by joint
+  std::int64_t patience_ns_;               // with a silent source; the executor has less
+  std::map<std::string, Source> sources_;  // by name; silent ones go when a new one comes
+  std::vector<Claim> claims_;              // by joint
   JointReadings readings_;
   std::vector<std::pair<std::size_t, double>> found_;  // joints of the message and their positions
   std::string problem_;

@@ -22,6 +22,9 @@ class SourceClock {
 
   bool isFresh(std::int64_t stamp_ns, const Arrival& arrival);
 
+  /// Of a fresh stamp, just asked about: what it says on steady time. Not after its arrival.
+  std::int64_t steady_ns(std::int64_t stamp_ns) const { return stamp_ns + steady_from_stamp_ns_; }
+
  private:
   std::int64_t tolerance_ns_;
   bool known_ = false;

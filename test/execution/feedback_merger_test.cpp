@@ -22,7 +22,7 @@ class FeedbackMergerTest : public testing::Test {
                         positions,
                         stamped_ ? kRos + now_ms_ * kMs : 0,
                         source,
-                        {kRos + now_ms_ * kMs, now_ms_ * kMs}});
+                        {kRos + now_ms_ * kMs + ros_set_ns_, now_ms_ * kMs}});
   }
 
   const std::vector<std::uint64_t>& counts() const { return merger_.readings().counts; }
@@ -30,6 +30,7 @@ class FeedbackMergerTest : public testing::Test {
 
   FeedbackMerger merger_{{"a", "b", "c"}, 0.5};
   std::int64_t now_ms_ = 10'000;
+  std::int64_t ros_set_ns_ = 0;  // somebody set our clock by so much
   bool stamped_ = true;
 };
 
@@ -101,6 +102,30 @@ TEST_F(FeedbackMergerTest, ASourceThatIsGoneIsNoticedLongBeforeAnotherTakesItsPl
   EXPECT_EQ(say({"a"}, {7}, "/other"), Result::kUsed) << "2 s: four times the timeout";
   EXPECT_EQ(angles()[0], 7);
   EXPECT_EQ(merger_.readings().contested_joint, -1) << "nobody contests what one gave up";
+}
+
+TEST_F(FeedbackMergerTest, TellsWhenSomethingElseOfASourceHappenedThoughItsClockIsAnother) {
+  constexpr std::int64_t kHour = 3'600'000 * kMs;
+  say({"a"}, {1});
+  ros_set_ns_ = kHour;
+  now_ms_ += 100;
+  const Arrival arrival{kRos + now_ms_ * kMs + ros_set_ns_, now_ms_ * kMs};
+  const std::int64_t stamp_ns = kRos + (now_ms_ - 30) * kMs;
+  EXPECT_EQ(merger_.timeOf("/driver", stamp_ns, arrival), (now_ms_ - 30) * kMs);
+  EXPECT_EQ(merger_.timeOf("/driver", stamp_ns + 2 * kHour, arrival), std::nullopt);
+  EXPECT_NE(merger_.problem().find("3599970 ms from now by /driver"), std::string::npos)
+      << merger_.problem();
+  EXPECT_EQ(merger_.timeOf("/stranger", stamp_ns, arrival), std::nullopt) << "an hour ago";
+}
+
+TEST_F(FeedbackMergerTest, KeepsNothingOfSourcesThatAreGoneWhenAnotherComes) {
+  say({"a"}, {1}, "/gone");
+  ros_set_ns_ = 3'600'000 * kMs;
+  now_ms_ += 60'000;
+  EXPECT_EQ(say({"b"}, {1}, "/gone"), Result::kUsed) << "its clock went on as ours did";
+  now_ms_ += 60'000;
+  EXPECT_EQ(say({"c"}, {1}, "/new"), Result::kRefused);
+  EXPECT_EQ(say({"b"}, {1}, "/gone"), Result::kRefused) << "a stranger, stamped an hour ago";
 }
 
 TEST(FeedbackMerger, RefusesTheSameNameTwice) {

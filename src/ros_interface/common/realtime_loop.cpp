@@ -71,6 +71,7 @@ std::int64_t RealtimeLoop::wallFromSteady_ns() const {
 
 void RealtimeLoop::runSteady() {
   const std::int64_t start_ns = clock_.steadyNow_ns();
+  first_due_ns_ = start_ns;
   std::int64_t wall_offset_ns = wallFromSteady_ns();
   first_stamp_ns_ = start_ns + wall_offset_ns;
   for (std::int64_t slot = 0; running_; ++slot) {
@@ -91,12 +92,14 @@ void RealtimeLoop::runSimulated() {
   waitForClock();
   std::int64_t before_ns = toNs(clock_.rosNow());
   first_stamp_ns_ = before_ns;
+  first_due_ns_ = before_ns;
   std::int64_t slot = 0;
   while (running_) {
     const std::int64_t now_ns = toNs(clock_.rosNow());
     if (now_ns < before_ns) {
       // The numbers go on, their stamps follow the new time.
       first_stamp_ns_ = now_ns - slot * period_ns_;
+      first_due_ns_ = now_ns - slot * period_ns_;
       time_jumped_ = true;
     }
     before_ns = now_ns;

@@ -55,6 +55,8 @@ class RealtimeLoop {
   /// From any thread.
   /// @{
   ros::Time stamp(std::int64_t slot) const;
+  /// When a slot is due, on Clock::robotNow_ns().
+  std::int64_t due_ns(std::int64_t slot) const { return first_due_ns_ + slot * period_ns_; }
   LoopTiming timing() const;
   /// True while /use_sim_time is set and no /clock has come.
   bool waitsForClock() const { return waits_for_clock_; }
@@ -79,6 +81,7 @@ class RealtimeLoop {
   std::thread thread_;
   std::atomic<bool> running_{false};
   std::atomic<std::int64_t> first_stamp_ns_{0};  // of slot 0
+  std::atomic<std::int64_t> first_due_ns_{0};    // slot 0
   std::int64_t last_slot_ = -1;
   std::atomic<bool> waits_for_clock_{false};
   std::atomic<bool> time_jumped_{false};

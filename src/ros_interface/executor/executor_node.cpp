@@ -72,10 +72,7 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
       reports_(
           private_node,
           {executor_, *sender_, feedback_, belief_, services_, emergency_stop_, master_, loop_},
-          robot_) {
-  reset_subscriber_ = node.subscribe(names::kRobotReset, 1, &ExecutorNode::onReset, this,
-                                     ros::TransportHints().tcpNoDelay());
-}
+          robot_) {}
 
 RealtimeLoop::Callbacks ExecutorNode::loopCallbacks() {
   RealtimeLoop::Callbacks callbacks;
@@ -93,6 +90,7 @@ ExecutorNode::End ExecutorNode::run(const std::atomic<bool>& leave) {
   while (!leave && ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
     if (loop_.takeTimeJump()) executor_.cancel(Reason::kTimeJumped);
+    breakOffAfterReset();
     const ExecutorStatus status = executor_.status();
     action_.poll(status);
     reports_.poll(status);
@@ -120,9 +118,10 @@ void ExecutorNode::autoArm() {
                                    "Not armed yet: " << services_.explain(cause));
 }
 
-void ExecutorNode::onReset(const std_msgs::Header::ConstPtr& reset) {
+void ExecutorNode::breakOffAfterReset() {
+  const auto reset_ns = feedback_.takeReset();
   // A behaviour that began after the reset is not concerned.
-  if (loop_.stamp(executor_.status().first_slot) < reset->stamp) {
+  if (reset_ns && loop_.due_ns(executor_.status().first_slot) < *reset_ns) {
     executor_.cancel(Reason::kRobotReset);
   }
 }

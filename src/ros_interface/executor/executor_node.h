@@ -1,7 +1,6 @@
 #pragma once
 
 #include <ros/node_handle.h>
-#include <std_msgs/Header.h>
 
 #include <memory>
 
@@ -39,7 +38,7 @@ class ExecutorNode {
  private:
   RealtimeLoop::Callbacks loopCallbacks();
   void autoArm();
-  void onReset(const std_msgs::Header::ConstPtr& message);
+  void breakOffAfterReset();
 
   SystemClock clock_;
   RobotDescription robot_;
@@ -57,7 +56,6 @@ class ExecutorNode {
   MasterWatch master_;
   ExecuteAction action_;
   ExecutorReports reports_;
-  ros::Subscriber reset_subscriber_;
 };
 
 }  // namespace hexapod

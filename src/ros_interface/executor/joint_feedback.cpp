@@ -2,6 +2,8 @@
 
 #include <ros/console.h>
 
+#include <utility>
+
 #include "ros_interface/common/names.h"
 #include "ros_interface/common/realtime.h"
 
@@ -11,6 +13,8 @@ namespace {
 constexpr double kWarnPeriod_s = 5.0;
 // Room for the drivers of all legs while the thread is busy with the first.
 constexpr std::uint32_t kQueueSize = 10;
+// How old a reset may be in open loop.
+constexpr double kFresh_s = 1.0;
 
 }  // namespace
 
@@ -21,7 +25,7 @@ JointFeedback::JointFeedback(const ros::NodeHandle& node, SharedExecutor& execut
       map_(map),
       clock_(clock),
       realtime_(realtime),
-      merger_(map.wireNames(), timeout_s),
+      merger_(map.wireNames(), timeout_s > 0.0 ? timeout_s : kFresh_s),
       readings_(map.joints().size()),
       ranges_(map.joints().size()),
       node_(node),
@@ -33,6 +37,11 @@ JointFeedback::JointFeedback(const ros::NodeHandle& node, SharedExecutor& execut
         boost::function<void(const Event&)>([this](const Event& event) { onJointState(event); }),
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   }
+  reset_subscriber_ = node_.subscribe<std_msgs::Header>(
+      names::kRobotReset, kQueueSize,
+      boost::function<void(const ros::MessageEvent<const std_msgs::Header>&)>(
+          [this](const ros::MessageEvent<const std_msgs::Header>& event) { onReset(event); }),
+      ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   spinner_.start();
 }
 
@@ -44,6 +53,25 @@ std::string JointFeedback::problem() const {
 std::string JointFeedback::rivals() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return rivals_;
+}
+
+std::optional<std::int64_t> JointFeedback::takeReset() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return std::exchange(reset_ns_, std::nullopt);
+}
+
+void JointFeedback::onReset(const ros::MessageEvent<const std_msgs::Header>& event) {
+  const auto reset_ns =
+      merger_.timeOf(event.getPublisherName(), toNs(event.getConstMessage()->stamp),
+                     {toNs(clock_.rosNow()), clock_.robotNow_ns()});
+  if (!reset_ns) {
+    ROS_WARN_STREAM_THROTTLE(kWarnPeriod_s, "A message on "
+                                                << reset_subscriber_.getTopic()
+                                                << " is left out: " << merger_.problem());
+    return;
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  reset_ns_ = reset_ns;
 }
 
 void JointFeedback::onJointState(const Event& event) {

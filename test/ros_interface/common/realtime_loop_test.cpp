@@ -70,6 +70,7 @@ TEST(RealtimeLoop, TicksAtEveryDeadlineWithStampsOnePeriodApart) {
     EXPECT_EQ(ticks[i].stamp_ns - ticks[0].stamp_ns, static_cast<std::int64_t>(i) * kPeriod);
     EXPECT_EQ(ticks[i].steady_ns - ticks[0].steady_ns, static_cast<std::int64_t>(i) * kPeriod)
         << "what a tick takes does not add up";
+    EXPECT_EQ(run.loop->due_ns(ticks[i].slot), ticks[i].steady_ns);
   }
   EXPECT_EQ(run.timing.skipped, 0u);
   EXPECT_EQ(run.timing.largest_lateness_s, 0.0);
@@ -104,6 +105,7 @@ TEST(RealtimeLoop, StampsFollowAWallClockThatIsSetButOnlyWhenTheyMay) {
                 0.0, 1e6)
         << i;
     EXPECT_EQ(ticks[i].slot, static_cast<std::int64_t>(i)) << "steady time was not set";
+    EXPECT_EQ(run.loop->due_ns(ticks[i].slot), ticks[i].steady_ns);
   }
 }
 
@@ -139,6 +141,7 @@ TEST(RealtimeLoop, SlotsGoOnWhenSimulatedTimeJumpsBack) {
   }
   EXPECT_EQ(ticks[6].stamp_ns, 3 * kSecond_ns);
   EXPECT_EQ(ticks[7].stamp_ns, 3 * kSecond_ns + kPeriod);
+  EXPECT_EQ(run.loop->due_ns(7), 3 * kSecond_ns + kPeriod) << "simulated time is the robot's";
 }
 
 }  // namespace
