@@ -19,10 +19,12 @@ namespace {
 
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr int kPollsPerWarning = 60;
-constexpr std::chrono::milliseconds kLongestEnd{2000};
-constexpr std::chrono::milliseconds kLeavingPatience{1500};
+// With the poll before it, and the end of a process on a busy machine, 2 s.
+constexpr std::chrono::milliseconds kLongestEnd{1800};
 
 std::atomic<bool> leave{false};
+std::atomic<bool> done{false};  // the body's work
+std::atomic<int> exit_code{0};
 
 void onSignal(int) { leave = true; }
 
@@ -39,19 +41,22 @@ bool awaitMaster() {
   return false;
 }
 
-// Ends the process in time after a signal, whatever its other threads wait for.
-void watchSignals() {
-  std::thread([] {
-    while (!leave) std::this_thread::sleep_for(kPoll);
+// Ends the process in time, whatever its threads wait for: once its work is done, or a signal asks
+// it to leave and there is nothing to save.
+void watchEnd(bool saves) {
+  std::thread([saves] {
+    while (!done && (saves || !leave)) std::this_thread::sleep_for(kPoll);
     std::this_thread::sleep_for(kLongestEnd);
-    std::_Exit(0);
+    std::_Exit(exit_code);
   }).detach();
 }
 
-void explain(const std::exception& error) {
-  leaveLastWords(error.what());
+int explain(const std::exception& error, int code) {
+  leaveInTime(code);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) ROS_FATAL_STREAM(line);
+  leaveLastWords(error.what());
+  return code;
 }
 
 }  // namespace
@@ -64,17 +69,15 @@ int runNode(int argc, char** argv, const NodeMain& node) {
   ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
   if (!awaitMaster()) return 0;
-  if (!node.saves) watchSignals();
+  watchEnd(node.saves);
   // Started here, ROS and its console outlive the body's node handles.
   ros::start();
   try {
     return node.body();
   } catch (const std::invalid_argument& error) {
-    explain(error);
-    return 2;
+    return explain(error, 2);
   } catch (const std::exception& error) {
-    explain(error);
-    return 1;
+    return explain(error, 1);
   }
 }
 
@@ -89,10 +92,8 @@ void waitUntilAskedToLeave() {
 void leaveLastWords(const std::string& sentence) { ros::param::set("~last_words", sentence); }
 
 int leaveInTime(int code) {
-  std::thread([code] {
-    std::this_thread::sleep_for(kLeavingPatience);
-    std::_Exit(code);
-  }).detach();
+  exit_code = code;
+  done = true;
   return code;
 }
 

@@ -33,8 +33,8 @@ void waitUntilAskedToLeave();
 /// achieved, where it is, what to do next. It is the private parameter last_words.
 void leaveLastWords(const std::string& sentence);
 
-/// Returns `code`, and ends the process with it after 1.5 s if it has not ended by then. For a body
-/// whose work is done.
+/// Returns `code`, and ends the process with it after 2 s, counted from the signal where one came
+/// and nothing was to be saved, if it has not ended by then. For a body whose work is done.
 int leaveInTime(int code);
 
 }  // namespace hexapod
