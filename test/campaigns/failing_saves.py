@@ -5,17 +5,15 @@ all later ones, or kills the process there. A run that ends with 0 has all that 
 any other says at last that it has not, or was killed; and the file it leaves is a checkpoint from
 which the run goes on to the entries of an undisturbed one.
 """
-import argparse
-import collections
 import dataclasses
 import os
 import pathlib
-import random
 import subprocess
 import sys
 import tempfile
 
 from support import programs
+from support.trials import Trials
 
 HERE = pathlib.Path(__file__).resolve().parent
 HANGS_S = 120
@@ -80,38 +78,22 @@ def problem_after(fault, library, file, expected):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--short", action="store_true", help="some seconds")
-    parser.add_argument("--trials", type=int, default=300)
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    trials = 6 if arguments.short else arguments.trials
-    dice = random.Random(arguments.seed)
-    counts = collections.Counter()
-    wrong = []
+    trials = Trials(__doc__, usual=300, short=6)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         library = build(folder)
         programs.learn(folder / "undisturbed.db")
         expected = programs.csv_of(folder / "undisturbed.db")
-        for trial in range(trials):
-            fault = draw(dice)
+        for trial in range(trials.count):
+            fault = draw(trials.dice)
             (folder / str(trial)).mkdir()
             state, problem = problem_after(fault, library, folder / str(trial) / "gaits.db",
                                            expected)
-            counts[fault.call, state] += 1
-            if problem:
-                wrong.append(f"trial {trial}, {fault}: {problem}")
-    print(f"{trials} runs of evolve with failing system calls, seed {arguments.seed}; each file "
+            trials.note(trial, fault.call, state, f"{fault}: {problem}" if problem else "")
+    print(f"{trials.count} runs of evolve with failing system calls, seed {trials.seed}; each file "
           "was whole, or resumed to the entries of an undisturbed run.\n")
     states = ["never called so often", "succeeded", "failed", "killed", "crashed"]
-    print("| call |", " | ".join(states), "|")
-    print("|---|---|---|---|---|---|")
-    for call in CALLS:
-        print(f"| {call} |", " | ".join(str(counts[call, state]) for state in states), "|")
-    for line in wrong:
-        print(line, file=sys.stderr)
-    return 1 if wrong else 0
+    return trials.report("call", CALLS, {state: state for state in states})
 
 
 if __name__ == "__main__":

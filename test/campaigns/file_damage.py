@@ -4,15 +4,13 @@ Bits are turned, blocks overwritten, pages exchanged, ends cut off or added. Rea
 the very entries of the intact file, or with a sentence that names the file, and leave the file as
 it is; a learner told to resume must do the same. Nothing crashes, nothing hangs.
 """
-import argparse
-import collections
 import pathlib
-import random
 import subprocess
 import sys
 import tempfile
 
 from support import programs
+from support.trials import Trials
 
 PAGE = 4096
 HANGS_S = 60
@@ -57,6 +55,10 @@ KINDS = [turn_a_bit, overwrite_a_block, exchange_two_pages, cut_the_end, add_to_
          edit_a_text]
 
 
+def in_words(kind):
+    return kind.__name__.replace("_", " ")
+
+
 def outcome_of(command, file, expected):
     """"same", "refused" or what went wrong."""
     before = file.read_bytes()
@@ -75,44 +77,29 @@ def outcome_of(command, file, expected):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--short", action="store_true", help="some seconds")
-    parser.add_argument("--trials", type=int, default=2000)
-    parser.add_argument("--seed", type=int, default=1)
-    arguments = parser.parse_args()
-    trials = 60 if arguments.short else arguments.trials
-    dice = random.Random(arguments.seed)
-    counts = collections.Counter()
-    wrong = []
+    trials = Trials(__doc__, usual=2000, short=60)
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         intact = folder / "intact.db"
         programs.learn(intact)
         expected = programs.csv_of(intact)
-        for trial in range(trials):
+        for trial in range(trials.count):
             kind = KINDS[trial % len(KINDS)]
             data = bytearray(intact.read_bytes())
-            kind(data, dice)
+            kind(data, trials.dice)
             file = folder / f"{trial}.db"
             file.write_bytes(data)
             outcome = outcome_of([programs.path("repertoire_csv"), str(file)], file, expected)
             if trial % 10 == 0 and outcome == "refused":
                 # The learner's first words go to standard output, which it does not get to here.
                 outcome = outcome_of(programs.learning(file, "--resume"), file, b"")
-            counts[kind.__name__.replace("_", " "), outcome] += 1
-            if outcome not in ("same", "refused"):
-                wrong.append(f"trial {trial}, {kind.__name__}: {outcome}")
+            problem = "" if outcome in ("same", "refused") else f"{kind.__name__}: {outcome}"
+            trials.note(trial, in_words(kind), outcome, problem)
             file.unlink()
-    print(f"{trials} damaged copies of a repertoire file, seed {arguments.seed}.\n")
-    print("| damage | refused with a sentence | read as if undamaged | anything else |")
-    print("|---|---|---|---|")
-    for kind in (kind.__name__.replace("_", " ") for kind in KINDS):
-        other = sum(count for (k, o), count in counts.items()
-                    if k == kind and o not in ("same", "refused"))
-        print(f"| {kind} | {counts[kind, 'refused']} | {counts[kind, 'same']} | {other} |")
-    for line in wrong:
-        print(line, file=sys.stderr)
-    return 1 if wrong else 0
+    print(f"{trials.count} damaged copies of a repertoire file, seed {trials.seed}.\n")
+    return trials.report("damage", map(in_words, KINDS),
+                         {"refused": "refused with a sentence", "same": "read as if undamaged",
+                          None: "anything else"})
 
 
 if __name__ == "__main__":
