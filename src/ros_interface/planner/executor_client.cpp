@@ -13,8 +13,10 @@ using State = hexapod_repertoire::ExecutorState;
 // The executor's state comes once a second, whatever ROS time does.
 constexpr std::int64_t kSilence_ns = 17 * kSecond_ns / 10;
 constexpr std::int64_t kPoll_ns = kSecond_ns / 20;
-// What is broken off is answered at the next command; who leaves waits no longer than this.
+// What is broken off is answered when the robot has come to rest; who leaves waits no longer than
+// this, and nobody waits while simulated time stands.
 constexpr std::int64_t kBreakOff_ns = kSecond_ns / 2;
+constexpr std::int64_t kStands_ns = kSecond_ns / 10;
 // To stand up, or to come to rest after a behaviour that was broken off.
 constexpr double kReady_s = 5.0;
 // Without feedback, which comes five times a second.
@@ -186,7 +188,11 @@ BehaviorPlayer::Result ExecutorClient::awaitEnd(const actionlib_msgs::GoalID& id
 
 BehaviorPlayer::Result ExecutorClient::breakOff(const actionlib_msgs::GoalID& id) {
   wire_.cancel(id);
-  clock_.waitUntil(clock_.steadyNow_ns() + kBreakOff_ns, [&] { return ended().has_value(); });
+  const std::int64_t begin_ns = clock_.steadyNow_ns();
+  const ros::Time begin = clock_.rosNow();
+  clock_.waitUntil(begin_ns + kBreakOff_ns, [&] {
+    return ended() || (clock_.steadyNow_ns() - begin_ns > kStands_ns && clock_.rosNow() == begin);
+  });
   return ended().value_or(Result{End::kCancelled, "Broken off.", {}, 0});
 }
 

@@ -71,6 +71,7 @@ bool WalkRun::measure() {
 }
 
 void WalkRun::noteWhereRobotIs(const Pose2& robot) {
+  seen_ns_ = means_.clock.steadyNow_ns();
   report_.final_pose.header.frame_id = means_.options.global_frame;
   report_.final_pose.header.stamp = means_.clock.rosNow();
   report_.final_pose.pose = toPoseMsg(robot);
@@ -139,29 +140,24 @@ bool WalkRun::isToBreakOff() {
   touches_ = touches_ || obstacles_.touchesNews(*planner_->planner(), walked_.back(), entry_);
   if (touches_) return true;
   const PoseReading robot = means_.poses.latest();
-  const std::int64_t now_ns = means_.clock.steadyNow_ns();
   if (robot.pose) {
     noteWhereRobotIs(*robot.pose);
-    seen_ns_ = now_ns;
-  } else if (now_ns - seen_ns_ > kPoseMayReturn_ns) {
-    pose_problem_ = robot.problem;
+  } else if (means_.clock.steadyNow_ns() - seen_ns_ > kPoseMayReturn_ns) {
+    // Told now: an executor whose time stands does not answer when it is to break off.
+    end(GoalCode::POSE_LOST, robot.problem);
+    goal_.end(report_);
   }
-  return !pose_problem_.empty();
+  return goal_.ended();
 }
 
 bool WalkRun::play(const PlannedStep& step) {
   const Repertoire& repertoire = planner_->repertoire();
-  seen_ns_ = means_.clock.steadyNow_ns();
   entry_ = step.entry;
   touches_ = false;
   const BehaviorPlayer::Result result =
       means_.player.play({repertoire.entries.at(step.entry), repertoire.run_id, goal_.stops,
                           [this] { return isToBreakOff(); }});
   if (goal_.ended()) return false;
-  if (!pose_problem_.empty()) {
-    end(GoalCode::POSE_LOST, pose_problem_);
-    return false;
-  }
   if (touches_ && result.end == BehaviorPlayer::End::kCancelled) {
     ++report_.steps;
     walk_.disregardLastStep();

@@ -48,7 +48,6 @@ class WalkRun {
   std::vector<Pose2> walked_;          // measured at rest, the newest last
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
   std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady
-  std::string pose_problem_;           // why the behaviour under way is broken off
   TallyKeeper tally_;
   ObstacleWatch obstacles_;
   std::size_t entry_ = 0;  // of the behaviour under way

@@ -82,7 +82,9 @@ void Walker::walkToGoals() {
     if (!goal->ended()) {
       try {
         const WalkReport report = walkTo(*goal);
-        if (goal->end(report)) log(goal->id, report);
+        goal->end(report);
+        // What the walk told by itself, now or before it was over; not a cancel.
+        if (goal->report().code == report.code) log(goal->id, report);
         means_.watcher.reportWalk(goal->id, goal->report());
       } catch (const std::exception& error) {
         goal->end(internalError(error));

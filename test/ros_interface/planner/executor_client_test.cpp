@@ -177,6 +177,15 @@ TEST_F(ExecutorClientTest, LeavesAnExecutorThatDoesNotAnswerACancel) {
   EXPECT_LE(played_s(), 1.7);
 }
 
+TEST_F(ExecutorClientTest, WaitsForNoAnswerWhileTimeStands) {
+  answers_cancels_ = false;
+  on_live = [this] {
+    if (played_s() >= 1.0) clock_.setRate(0.0);
+  };
+  EXPECT_EQ(play([this] { return played_s() > 2.0; }).end, End::kCancelled);
+  EXPECT_LE(played_s(), 2.2);
+}
+
 TEST_F(ExecutorClientTest, ASilentExecutorIsToldWithinTwoSeconds) {
   on_live = [this] { alive_ = played_s() < 1.0; };
   EXPECT_EQ(play().end, End::kFault);

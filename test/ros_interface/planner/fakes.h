@@ -50,7 +50,7 @@ class FakePoseSource : public PoseSource {
 };
 
 /// Moves the robot of a FakePoseSource as the repertoire says. While `held`, a behaviour goes on
-/// until it is interrupted or released.
+/// until it is interrupted or released; while `deaf`, one that was interrupted does not come back.
 class FakePlayer : public BehaviorPlayer {
  public:
   explicit FakePlayer(FakePoseSource& poses) : poses_(poses) {}
@@ -65,6 +65,7 @@ class FakePlayer : public BehaviorPlayer {
     ++begun;
     if (order.stops != stops_) return {End::kNotReady, "stopped since", {}, 0};
     while (held && !order.interrupted()) std::this_thread::yield();
+    while (deaf) std::this_thread::yield();
     if (order.interrupted()) return {End::kCancelled, "broken off", {}, 0};
     const Result result = outcome ? outcome() : Result{End::kPlayed, "", ros::Time(1.0), 0};
     if (result.end == End::kPlayed) {
@@ -80,6 +81,7 @@ class FakePlayer : public BehaviorPlayer {
   }
 
   std::atomic<bool> held{false};
+  std::atomic<bool> deaf{false};
   std::atomic<int> begun{0};
   std::function<Result()> outcome;
 
