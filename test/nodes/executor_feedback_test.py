@@ -6,11 +6,13 @@ import unittest
 
 import rospy
 import rostest
-from hexapod_repertoire.msg import ExecuteBehaviorResult, ExecutorState
-from std_msgs.msg import Bool
+from hexapod_repertoire.msg import (ExecuteBehaviorAction, ExecuteBehaviorGoal,
+                                    ExecuteBehaviorResult, ExecutorState)
+from std_msgs.msg import Bool, Header
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import robot_session as rs  # noqa: E402
+from action_burst import ActionBurst  # noqa: E402
 
 # A joint_state_publisher that somebody left running: zeros at 50 Hz.
 STRAY = """
@@ -77,13 +79,35 @@ class ExecutorFeedback(unittest.TestCase):
         self.assertEqual(result.code, ExecuteBehaviorResult.FAULT)
         self.assertIn("do not change", result.message)
 
-    def test_a_burst_of_goals_does_not_disturb_the_walk(self):
+    def test_a_burst_of_goals_is_answered_and_does_not_disturb_the_walk(self):
+        burst = ActionBurst("execute", ExecuteBehaviorAction)
+        rs.wait_for(burst.is_connected, 10.0, "the action server")
         handle = self.session.send(rs.TRIPOD)
         self.session.wait_state(ExecutorState.WALKING)
-        burst = [self.session.send(rs.TURN) for _ in range(40)]
-        for other in burst:
-            self.assertEqual(self.session.result(other).code, ExecuteBehaviorResult.NOT_READY)
+        burst.send(ExecuteBehaviorGoal(entry_id=-1, genome=bytes(rs.TURN)), 1000)
+        rs.wait_for(lambda: not burst.unanswered(), 30.0, "the answers to the burst")
         self.assertTrue(rs.played(self.session.result(handle)))
+        for results in burst.answers().values():
+            self.assertEqual([result.result.code for result in results],
+                             [ExecuteBehaviorResult.NOT_READY])
+
+    def test_a_reset_breaks_off_what_began_before_it_and_one_that_is_not_now_does_not(self):
+        publisher = rospy.Publisher("robot_reset", Header, queue_size=1)
+        rs.wait_for(lambda: publisher.get_num_connections() > 0, 10.0, "the executor")
+
+        def result_of_reset(offset_s):
+            handle = self.session.send(rs.TRIPOD)
+            self.session.wait_state(ExecutorState.WALKING)
+            for _ in range(3):
+                self.session.commands.next()  # WALKING is told before the first command is due
+            publisher.publish(Header(stamp=rospy.Time.now() + rospy.Duration(offset_s)))
+            return self.session.result(handle)
+
+        for offset_s in (3600.0, -3600.0):
+            self.assertTrue(rs.played(result_of_reset(offset_s)))
+        result = result_of_reset(0.0)
+        self.assertFalse(rs.played(result))
+        self.assertIn("reset", result.message)
 
     def test_an_emergency_stop_that_falls_silent_stops_and_holds(self):
         handle = self.session.send(rs.TRIPOD)

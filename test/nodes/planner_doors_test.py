@@ -11,7 +11,7 @@ import pytest
 import rospy
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import Twist
-from hexapod_repertoire.msg import ExecutorState
+from hexapod_repertoire.msg import ExecutorState, WalkToAction, WalkToGoal
 from hexapod_repertoire.srv import GoToResponse
 from move_base_msgs.msg import MoveBaseAction, MoveBaseGoal
 from nav_msgs.msg import Path
@@ -19,12 +19,13 @@ from nav_msgs.srv import GetPlan, GetPlanRequest
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 import walking_session as ws  # noqa: E402
+from action_burst import ActionBurst  # noqa: E402
 from walking_client import WalkingClient, goal_message  # noqa: E402
 
 BEHAVIOR_S = 3.9
-# Promised are 2 s, and 0.2 s for a cancel; the rest is for a machine that is busy with other tests.
-TOLD_S = 5.0
-CANCELLED_S = 1.5
+# The planner's own time: from what happened, or the cancel, to the stamp of its answer.
+TOLD_S = 2.0
+CANCELLED_S = 0.2
 UNARMED = (ExecutorState.DISARMED, ExecutorState.STOPPED)
 
 
@@ -81,7 +82,7 @@ def test_a_cancel_is_never_lost_and_answered_at_once(client, after_s):
     time.sleep(after_s)  # when in the life of the goal, not a wait for something
     client.cancel(far)
     assert answer(far).code == code("PREEMPTED")
-    assert far.answered_s - far.cancelled_s < CANCELLED_S
+    assert far.answered_stamp_s - far.cancelled_stamp_s < CANCELLED_S
     ws.wait_for(lambda: far.handle.get_goal_status() == GoalStatus.PREEMPTED, 5.0, "PREEMPTED")
 
 
@@ -108,6 +109,17 @@ def test_cancelling_one_goal_by_its_id_leaves_the_others(client):
     client.cancel(planned)
     answer(planned)
     assert answer(walked).code == code("SUCCEEDED"), answer(walked).message
+
+
+def test_a_burst_of_goals_and_cancels_is_answered_each_goal_once(client):
+    burst = ActionBurst("walk_to", WalkToAction)
+    ws.wait_for(burst.is_connected, 10.0, "walk_to")
+    ids = burst.send(WalkToGoal(target_pose=ahead(client, 12.0), xy_tolerance_m=0.06), 1000)
+    burst.cancel(ids)
+    ws.wait_for(lambda: not burst.unanswered(), 30.0, "the answers to the burst")
+    expect_standstill(client)
+    for results in burst.answers().values():
+        assert [result.result.code for result in results] == [code("PREEMPTED")]
 
 
 def test_a_client_of_move_base_walks_cancels_and_plans(client):
@@ -219,14 +231,14 @@ def test_a_second_publisher_is_an_error_and_the_first_stays_in_use(session, clie
 @pytest.mark.parametrize("number", [signal.SIGKILL, signal.SIGSTOP])
 def test_a_dead_executor_is_told_within_two_seconds(session, client, number):
     walked = client.walk_to(ahead(client, 3.0))
-    waiting = client.go_to(ahead(client, 3.0), wait=True)
     ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
-    gone_s = time.monotonic()
+    waiting = client.go_to(ahead(client, 3.0), wait=True)
+    gone_s = time.time()
     session.send_signal("executor", number)
     ended = answer(waiting, 10.0)
     assert ended.code in (code("EXECUTOR_FAULT"), code("EXECUTOR_NOT_READY")), ended.message
-    assert waiting.answered_s - gone_s < TOLD_S
-    assert answer(walked).code in (code("EXECUTOR_FAULT"), code("PREEMPTED"))
+    assert answer(walked).code == code("EXECUTOR_FAULT")
+    assert walked.answered_stamp_s - gone_s < TOLD_S
     refused = client.go_to(ahead(client, 0.3), wait=True)
     assert answer(refused, 5.0).code == code("EXECUTOR_NOT_READY")
     session.kill("executor")
@@ -240,10 +252,10 @@ def test_a_dead_executor_is_told_within_two_seconds(session, client, number):
 def test_a_dead_robot_is_told_within_two_seconds(session, client):
     walked = client.walk_to(ahead(client, 3.0))
     ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
-    gone_s = time.monotonic()
+    gone_s = time.time()
     session.kill("simulated_robot")
     assert answer(walked, 10.0).code in (code("EXECUTOR_FAULT"), code("POSE_LOST"))
-    assert walked.answered_s - gone_s < TOLD_S
+    assert walked.answered_stamp_s - gone_s < TOLD_S
     session.start("simulated_robot")
     ws.wait_for(lambda: client.call("executor/arm").success, 20.0, "the executor to arm")
 
@@ -272,8 +284,8 @@ def test_the_first_goal_right_after_the_start_is_walked_to(session, client):
 def test_without_its_master_the_planner_tells_and_leaves(session, client):
     walked = client.walk_to(ahead(client, 3.0))
     ws.wait_for(lambda: client.state == ExecutorState.WALKING, 10.0, "the robot to walk")
-    gone_s = time.monotonic()
+    gone_s = time.time()
     session.kill("master")
     assert answer(walked, 10.0).code == code("SHUTDOWN")
-    assert walked.answered_s - gone_s < TOLD_S
+    assert walked.answered_stamp_s - gone_s < TOLD_S
     assert session.process("planner").wait(5.0) == 3

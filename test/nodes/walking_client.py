@@ -33,13 +33,19 @@ def goal_message(x_m, y_m, yaw_rad, frame="odom"):
 
 
 class Asked:
-    """A goal that was sent, and its answers; times are steady."""
+    """A goal that was sent, and its answers; times are steady.
+
+    Those with `stamp` are wall time: when it was cancelled, and when the planner stamped its answer.
+    Their difference is the planner's own time, however late a busy machine lets this process hear.
+    """
 
     def __init__(self, door, target):
         self.door, self.target = door, target
         self.sent_s = time.monotonic()
         self.cancelled_s = None
         self.answered_s = None
+        self.cancelled_stamp_s = None
+        self.answered_stamp_s = None  # of walk_to
         self.answers = []      # results; exactly one in the end
         self.true_pose = None  # where the robot was when the answer came
         self.handle = None
@@ -77,7 +83,6 @@ class WalkingClient:
                              queue_size=1000, tcp_nodelay=True)]
         self._action = actionlib.ActionClient("walk_to", WalkToAction)
         self._simple = rospy.Publisher("move_base_simple/goal", PoseStamped, queue_size=10)
-        self._cancel = rospy.Publisher("walk_to/cancel", GoalID, queue_size=10)
         self.threads = []
 
     def wait_ready(self, timeout_s=40.0):
@@ -87,7 +92,8 @@ class WalkingClient:
         rospy.wait_for_service("go_to", timeout_s)
         wait_for(lambda: self._simple.get_num_connections() > 0, timeout_s, "the planner's doors")
         wait_for(lambda: self._action.pub_goal.get_num_connections() > 0, timeout_s, "walk_to")
-        wait_for(lambda: self._cancel.get_num_connections() > 0, timeout_s, "walk_to/cancel")
+        wait_for(lambda: self._action.pub_cancel.get_num_connections() > 0, timeout_s,
+                 "walk_to/cancel")
 
     def _is_ready(self):
         self.arm_after_a_fault()  # on a busy machine the first feedback may come late
@@ -116,6 +122,7 @@ class WalkingClient:
         with self._lock:
             asked = self._by_id.get(message.status.goal_id.id)
             if asked:
+                asked.answered_stamp_s = message.header.stamp.to_sec()
                 asked.take(message.result, self._pose)
 
     def walk_to(self, target, plan_only=False):
@@ -131,11 +138,11 @@ class WalkingClient:
 
     def cancel(self, asked):
         """One goal of the action."""
-        asked.cancelled_s = time.monotonic()
+        asked.cancelled_s, asked.cancelled_stamp_s = time.monotonic(), time.time()
         asked.handle.cancel()
 
     def cancel_all_actions(self):
-        self._cancel.publish(GoalID())
+        self._action.pub_cancel.publish(GoalID())
 
     def go_to(self, target, wait):
         """By the service, in a thread of its own."""

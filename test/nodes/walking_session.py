@@ -99,6 +99,7 @@ class WalkingSession:
         values = {
             "/robot_description": (ROOT / "urdf/hexapod.urdf").read_text(encoding="utf-8"),
             "/use_sim_time": self._sim_time,
+            "/actionlib_client_pub_queue_size": 10000,  # a client that drops no goals
             "/repertoire_server/repertoire_file": str(repertoire),
             "/simulated_robot/robot_config": robot_config,
             "/simulated_robot/engine": "reduced",

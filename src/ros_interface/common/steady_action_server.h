@@ -6,15 +6,23 @@
 #include <ros/node_handle.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <string>
 #include <utility>
 
 namespace hexapod {
 
+/// So many goals, cancels or results of an action may wait on one side of the wire. roscpp drops
+/// the oldest of more, and a goal that was dropped is never answered.
+constexpr std::uint32_t kActionQueueSize = 10'000;
+
 /// An action server on the wire of actionlib (topics goal, cancel, status, feedback, result) that
 /// keeps its word where actionlib's own does not:
 /// - its callbacks run in the queue it is given, its status goes out on steady time;
+/// - in a burst of up to kActionQueueSize goals and as many cancels every goal is answered, however
+///   busy this node or the client is; the status, which names every goal, is told ten times a
+///   second at most then, not once or twice per goal;
 /// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
 ///   not RECALLED with an empty result, whose code 0 reads as success;
 /// - a cancel is stamped no later than it came, and one that was stamped before the clock was set
@@ -47,21 +55,24 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
   using Status = actionlib_msgs::GoalStatus;
   using Tracker = actionlib::StatusTracker<Action>;
 
-  static constexpr std::uint32_t kQueueSize = 50;
+  static constexpr std::uint32_t kFeedbackQueueSize = 50;
   static constexpr double kStatusPeriod_s = 0.2;
+  static constexpr double kLeastStatusPeriod_s = 0.1;  // of a status that changes
   static constexpr double kKeepEnded_s = 5.0;
   static constexpr std::size_t kLongestId = 1000;
 
   void initialize() override {
-    result_publisher_ = node_.template advertise<typename Base::ActionResult>("result", kQueueSize);
+    result_publisher_ =
+        node_.template advertise<typename Base::ActionResult>("result", kActionQueueSize);
     feedback_publisher_ =
-        node_.template advertise<typename Base::ActionFeedback>("feedback", kQueueSize);
+        node_.template advertise<typename Base::ActionFeedback>("feedback", kFeedbackQueueSize);
     status_publisher_ =
-        node_.template advertise<actionlib_msgs::GoalStatusArray>("status", kQueueSize, true);
-    timer_ = node_.createSteadyTimer(ros::WallDuration(kStatusPeriod_s),
-                                     [this](const ros::SteadyTimerEvent&) { publishStatus(); });
-    goal_subscriber_ = node_.subscribe("goal", kQueueSize, &SteadyActionServer::onGoal, this);
-    cancel_subscriber_ = node_.subscribe("cancel", kQueueSize, &SteadyActionServer::onCancel, this);
+        node_.template advertise<actionlib_msgs::GoalStatusArray>("status", 1, true);
+    timer_ = node_.createSteadyTimer(ros::WallDuration(kLeastStatusPeriod_s),
+                                     [this](const ros::SteadyTimerEvent&) { publishDueStatus(); });
+    goal_subscriber_ = node_.subscribe("goal", kActionQueueSize, &SteadyActionServer::onGoal, this);
+    cancel_subscriber_ =
+        node_.subscribe("cancel", kActionQueueSize, &SteadyActionServer::onCancel, this);
   }
 
   bool isTooLong(const std::string& id) const {
@@ -117,8 +128,23 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
     feedback_publisher_.publish(message);
   }
 
+  // At every change; those that come too close to one another are told together.
   void publishStatus() override {
     const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    status_changed_ = true;
+    if (statusAge_s() >= kLeastStatusPeriod_s) tellStatus();
+  }
+
+  void publishDueStatus() {
+    const boost::recursive_mutex::scoped_lock lock(this->lock_);
+    if (status_changed_ || statusAge_s() >= kStatusPeriod_s) tellStatus();
+  }
+
+  double statusAge_s() const { return (ros::SteadyTime::now() - status_told_).toSec(); }
+
+  void tellStatus() {
+    status_told_ = ros::SteadyTime::now();
+    status_changed_ = false;
     actionlib_msgs::GoalStatusArray message;
     message.header.stamp = ros::Time::now();
     for (const Tracker& tracker : this->status_list_)
@@ -150,6 +176,8 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
   ros::NodeHandle node_;
   Result cancelled_early_;
   std::map<std::string, ros::SteadyTime> over_since_;  // by goal id; guarded by lock_
+  ros::SteadyTime status_told_;                        // guarded by lock_
+  bool status_changed_ = false;                        // guarded by lock_
   ros::Publisher status_publisher_;
   ros::Publisher result_publisher_;
   ros::Publisher feedback_publisher_;

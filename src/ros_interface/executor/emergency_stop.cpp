@@ -18,7 +18,7 @@ constexpr double kLook_s = 0.1;
 
 EmergencyStop::EmergencyStop(const ros::NodeHandle& node, const ros::NodeHandle& private_node,
                              SharedExecutor& executor, bool realtime)
-    : executor_(executor), node_(node), private_node_(private_node) {
+    : desk_(executor), node_(node), private_node_(private_node) {
   node_.setCallbackQueue(&queue_);
   private_node_.setCallbackQueue(&queue_);
   topic_ = node_.subscribe(kTopic, kQueueSize, &EmergencyStop::onEStop, this,
@@ -27,9 +27,8 @@ EmergencyStop::EmergencyStop(const ros::NodeHandle& node, const ros::NodeHandle&
   using Service = bool(std_srvs::Trigger::Request&, Response&);
   service_ = private_node_.advertiseService(
       kService, boost::function<Service>([this](std_srvs::Trigger::Request&, Response& response) {
-        executor_.stop(Reason::kStopRequested);
+        response.message = desk_.stop();
         response.success = true;
-        response.message = "Stopped; nothing is sent until ~arm.";
         return true;
       }));
   thread_ = std::thread([this, realtime] { run(realtime); });
@@ -46,10 +45,8 @@ void EmergencyStop::run(bool realtime) {
 }
 
 void EmergencyStop::onEStop(const std_msgs::Bool::ConstPtr& message) {
-  const bool pressed = message->data;
-  executor_.setEStop(pressed);
-  if (pressed && !pressed_) ROS_WARN_STREAM("Emergency stop through " << topic_.getTopic() << ".");
-  pressed_ = pressed;
+  if (!desk_.hear(message->data)) return;
+  ROS_WARN_STREAM("Emergency stop through " << topic_.getTopic() << ".");
 }
 
 }  // namespace hexapod

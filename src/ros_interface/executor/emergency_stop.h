@@ -8,13 +8,13 @@
 #include <cstdint>
 #include <thread>
 
-#include "execution/shared_executor.h"
+#include "ros_interface/executor/stop_desk.h"
 
 namespace hexapod {
 
-/// The topic e_stop and the service ~stop, on a queue and a thread of their own, in which nothing
-/// waits: no goal, request or other callback keeps a stop waiting. With `realtime` other programs
-/// do not either: the thread has the priority of the command loop.
+/// The topic e_stop and the service ~stop (StopDesk), on a queue and a thread of their own, in
+/// which nothing waits: no goal, request or other callback keeps a stop waiting. With `realtime`
+/// other programs do not either: the thread has the priority of the command loop.
 class EmergencyStop {
  public:
   /// `executor` must outlive it.
@@ -31,8 +31,7 @@ class EmergencyStop {
   void run(bool realtime);
   void onEStop(const std_msgs::Bool::ConstPtr& message);
 
-  SharedExecutor& executor_;
-  bool pressed_ = false;  // as last heard
+  StopDesk desk_;
   ros::CallbackQueue queue_;
   ros::NodeHandle node_;
   ros::NodeHandle private_node_;

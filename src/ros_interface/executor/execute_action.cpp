@@ -3,17 +3,15 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
-#include <exception>
+#include <memory>
 
 #include "ros_interface/common/names.h"
-#include "ros_interface/executor/behavior_result.h"
 
 namespace hexapod {
 namespace {
 
-constexpr double kFeedbackPeriod_s = 0.2;
-
 using Result = hexapod_repertoire::ExecuteBehaviorResult;
+using Server = SteadyActionServer<hexapod_repertoire::ExecuteBehaviorAction>;
 
 Result cancelledEarly() {
   Result result;
@@ -22,20 +20,58 @@ Result cancelledEarly() {
   return result;
 }
 
+/// The client of a goal of the action.
+class ActionClient : public GoalSender {
+ public:
+  explicit ActionClient(const Server::GoalHandle& handle) : handle_(handle) {}
+
+  void accepted() override { handle_.setAccepted(); }
+  void feedback(const hexapod_repertoire::ExecuteBehaviorFeedback& feedback) override {
+    handle_.publishFeedback(feedback);
+  }
+  void ended(const Result& result) override {
+    if (result.code == Result::SUCCEEDED) {
+      handle_.setSucceeded(result, result.message);
+    } else if (result.code == Result::PREEMPTED) {
+      handle_.setCanceled(result, result.message);
+    } else {
+      handle_.setAborted(result, result.message);
+    }
+  }
+  void refused(const Result& result) override { handle_.setRejected(result, result.message); }
+
+ private:
+  Server::GoalHandle handle_;
+};
+
+BehaviorGoals::Means meansOf(const ExecuteAction::Means& means, const BehaviorOptions& options,
+                             PlayableBehaviors& behaviors) {
+  return {means.executor,
+          behaviors,
+          means.feedback.topic().empty() ? nullptr : &means.feedback.ranges(),
+          [&loop = means.loop](std::int64_t slot) { return loop.stamp(slot); },
+          means.robot.jointNames(),
+          options.command_period_s};
+}
+
 }  // namespace
 
 ExecuteAction::ExecuteAction(ros::NodeHandle& node, const Means& means,
                              const BehaviorOptions& options)
-    : means_(means),
-      behaviors_(means.robot, options),
+    : behaviors_(means.robot, options),
       publisher_([&master = means.master, topic = node.resolveName(names::kRepertoire)] {
         return master.otherPublishers(topic);
       }),
-      joint_names_(means.robot.jointNames()),
-      period_s_(options.command_period_s),
+      goals_(meansOf(means, options, behaviors_)),
       server_(
           node, names::kExecute, *ros::getGlobalCallbackQueue(),
-          [this](const Goal& goal) { onGoal(goal); }, [this](const Goal& goal) { onCancel(goal); },
+          [this](const Server::GoalHandle& handle) {
+            const auto goal = handle.getGoal();  // null of an empty handle only
+            if (goal) {
+              goals_.take(handle.getGoalID().id, *goal, std::make_unique<ActionClient>(handle));
+            }
+          },
+          [this](const Server::GoalHandle& handle) { goals_.cancel(handle.getGoalID().id); },
           cancelledEarly()) {
   repertoire_subscriber_ =
       node.subscribe(names::kRepertoire, 1, &ExecuteAction::onRepertoire, this);
@@ -54,86 +90,6 @@ void ExecuteAction::onRepertoire(
   publisher_.use(event.getPublisherName());
   ROS_INFO_STREAM("Playing from run '" << message->run_id << "', " << behaviors_.entryCount()
                                        << " entries.");
-}
-
-void ExecuteAction::onGoal(Goal goal) {
-  // A burst of goals while one is played costs the command loop nothing.
-  const ExecutorMode mode = means_.executor.status().mode;
-  if (mode != ExecutorMode::kReady) {
-    return reject(goal, Result::NOT_READY, sentence({Reason::kNotReady, mode}, joint_names_));
-  }
-  std::string problem;
-  std::shared_ptr<const Behavior> behavior;
-  try {
-    behavior = behaviors_.find(*goal.getGoal(), problem);
-  } catch (const std::exception& error) {
-    problem = error.what();
-  }
-  if (!behavior) return reject(goal, Result::INVALID_GOAL, problem);
-  const Cause cause = means_.executor.start(*behavior, goal.getGoal()->entry_id);
-  if (!cause.accepted()) {
-    return reject(goal, Result::NOT_READY, sentence(cause, joint_names_));
-  }
-  means_.feedback.ranges().begin();
-  goal.setAccepted();
-  goal_ = goal;
-  playing_ = true;
-  serial_ = means_.executor.status().serial;
-  behavior_ = behavior;
-  next_feedback_s_ = 0.0;
-}
-
-void ExecuteAction::onCancel(const Goal& goal) {
-  if (!playing_ || !(goal == goal_)) return;
-  // A behaviour that has just come to its end is not broken off any more; poll() tells.
-  means_.executor.cancel(Reason::kCancelled);
-}
-
-void ExecuteAction::reject(Goal& goal, std::uint8_t code, const std::string& message) {
-  Result result;
-  result.code = code;
-  result.message = message;
-  ROS_WARN_STREAM("Goal refused: " << message);
-  goal.setRejected(result, message);
-}
-
-void ExecuteAction::poll(const ExecutorStatus& status) {
-  if (!playing_) return;
-  if (status.last_end.serial >= serial_) return finish(status.last_end);
-  const double elapsed_s = static_cast<double>(status.played) * period_s_;
-  if (elapsed_s < next_feedback_s_) return;
-  next_feedback_s_ = elapsed_s + kFeedbackPeriod_s;
-  hexapod_repertoire::ExecuteBehaviorFeedback feedback;
-  feedback.elapsed_s = static_cast<float>(elapsed_s);
-  feedback.duration_s = static_cast<float>(behavior_->duration_s());
-  goal_.publishFeedback(feedback);
-}
-
-void ExecuteAction::finish(const BehaviorEnd& end) {
-  Result result = behaviorResult(end, behavior_->commandCount(), joint_names_);
-  result.finished = means_.loop.stamp(end.last_slot);
-  if (!means_.feedback.topic().empty()) {
-    result.joint_min_rad = means_.feedback.ranges().min_rad();
-    result.joint_max_rad = means_.feedback.ranges().max_rad();
-  }
-  playing_ = false;
-  behavior_.reset();
-  if (result.code == Result::SUCCEEDED) {
-    goal_.setSucceeded(result, result.message);
-  } else if (result.code == Result::PREEMPTED) {
-    goal_.setCanceled(result, result.message);
-  } else {
-    goal_.setAborted(result, result.message);
-  }
-}
-
-void ExecuteAction::abort(const std::string& why) {
-  if (!playing_) return;
-  Result result;
-  result.code = Result::STOPPED;
-  result.message = why;
-  playing_ = false;
-  goal_.setAborted(result, why);
 }
 
 }  // namespace hexapod

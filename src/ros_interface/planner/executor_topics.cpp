@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ros_interface/common/names.h"
+#include "ros_interface/common/steady_action_server.h"
 
 namespace hexapod {
 namespace {
@@ -18,11 +19,14 @@ ExecutorTopics::ExecutorTopics(const ros::NodeHandle& node, const Clock& clock)
     : client_(clock, *this, ros::this_node::getName()), node_(node), spinner_(1, &queue_) {
   node_.setCallbackQueue(&queue_);
   const std::string action = names::kExecute;
-  listen<hexapod_repertoire::ExecutorState>(names::kExecutorState, &ExecutorClient::onState);
-  listen<actionlib_msgs::GoalStatusArray>(action + "/status", &ExecutorClient::onStatus);
-  listen<hexapod_repertoire::ExecuteBehaviorActionFeedback>(action + "/feedback",
+  listen<hexapod_repertoire::ExecutorState>({names::kExecutorState, kQueueSize},
+                                            &ExecutorClient::onState);
+  listen<actionlib_msgs::GoalStatusArray>({action + "/status", kQueueSize},
+                                          &ExecutorClient::onStatus);
+  listen<hexapod_repertoire::ExecuteBehaviorActionFeedback>({action + "/feedback", kQueueSize},
                                                             &ExecutorClient::onFeedback);
-  listen<hexapod_repertoire::ExecuteBehaviorActionResult>(action + "/result",
+  // The answers to other clients' bursts come with those to this one.
+  listen<hexapod_repertoire::ExecuteBehaviorActionResult>({action + "/result", kActionQueueSize},
                                                           &ExecutorClient::onResult);
   goal_publisher_ =
       node_.advertise<hexapod_repertoire::ExecuteBehaviorActionGoal>(action + "/goal", kQueueSize);
@@ -31,14 +35,13 @@ ExecutorTopics::ExecutorTopics(const ros::NodeHandle& node, const Clock& clock)
 }
 
 template <class Message>
-void ExecutorTopics::listen(const std::string& topic,
-                            void (ExecutorClient::*heard)(const Message&)) {
+void ExecutorTopics::listen(const Topic& topic, void (ExecutorClient::*heard)(const Message&)) {
   const boost::function<void(const boost::shared_ptr<const Message>&)> call =
       [this, heard](const boost::shared_ptr<const Message>& message) {
         (client_.*heard)(*message);
       };
-  subscribers_.push_back(node_.subscribe<Message>(topic, kQueueSize, call, ros::VoidConstPtr(),
-                                                  ros::TransportHints().tcpNoDelay()));
+  subscribers_.push_back(node_.subscribe<Message>(
+      topic.name, topic.queue_size, call, ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
 }
 
 void ExecutorTopics::send(const hexapod_repertoire::ExecuteBehaviorActionGoal& goal) {

@@ -6,6 +6,8 @@
 #include <ros/spinner.h>
 #include <ros/subscriber.h>
 
+#include <cstdint>
+#include <string>
 #include <vector>
 
 #include "ros_interface/planner/executor_client.h"
@@ -25,8 +27,13 @@ class ExecutorTopics : private ExecutorWire {
   void send(const hexapod_repertoire::ExecuteBehaviorActionGoal& goal) override;
   void cancel(const actionlib_msgs::GoalID& id) override;
 
+  struct Topic {
+    std::string name;
+    std::uint32_t queue_size;
+  };
+
   template <class Message>
-  void listen(const std::string& topic, void (ExecutorClient::*heard)(const Message&));
+  void listen(const Topic& topic, void (ExecutorClient::*heard)(const Message&));
 
   ExecutorClient client_;
   ros::CallbackQueue queue_;
