@@ -12,7 +12,7 @@ constexpr double kCheckpointShare = 0.01;
 
 }  // namespace
 
-Checkpointer::Checkpointer(const std::string& file, double period_s, Clock clock)
+Checkpointer::Checkpointer(const std::string& file, double period_s, Stopwatch clock)
     : period_s_(period_s), clock_(std::move(clock)), writer_(file) {}
 
 bool Checkpointer::isDue() const {

@@ -8,14 +8,14 @@
 namespace hexapod {
 
 /// Seconds on a clock that never goes back.
-using Clock = std::function<double()>;
+using Stopwatch = std::function<double()>;
 
 /// Writes a run's file about as often as it was asked to, and remembers whether the file holds what
 /// was last to be saved. One thread at a time.
 class Checkpointer {
  public:
   /// Claims the file (see RepertoireWriter); `period_s` 0: always due.
-  Checkpointer(const std::string& file, double period_s, Clock clock);
+  Checkpointer(const std::string& file, double period_s, Stopwatch clock);
 
   /// True when the file held a repertoire before anything was saved, or does so now.
   bool holdsRepertoire() const { return writer_.holdsRepertoire(); }
@@ -36,7 +36,7 @@ class Checkpointer {
 
  private:
   double period_s_;
-  Clock clock_;
+  Stopwatch clock_;
   RepertoireWriter writer_;
   std::string problem_;
   double tried_s_ = 0.0;

@@ -41,7 +41,7 @@ std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOpti
 }  // namespace
 
 LearningSession::LearningSession(const RobotDescription& robot, const LearnOptions& options,
-                                 Clock clock, const DistributedEvaluator::Workers& workers)
+                                 Stopwatch clock, const DistributedEvaluator::Workers& workers)
     : options_(suitedTo(robot, withBudget(options))),
       clock_(std::move(clock)),
       checkpointer_(claimed(options_), options_.checkpoint_period_s, clock_),

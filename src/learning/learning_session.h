@@ -63,7 +63,7 @@ class LearningSession {
   /// written or that holds a repertoire while neither `overwrite` nor `resume` is set.
   /// Evaluations are spread over this process and the workers, each of which runs workFor(); waits
   /// until they have introduced themselves. Checks are this process' alone.
-  LearningSession(const RobotDescription& robot, const LearnOptions& options, Clock clock,
+  LearningSession(const RobotDescription& robot, const LearnOptions& options, Stopwatch clock,
                   const DistributedEvaluator::Workers& workers = {});
 
   /// Evolves until the budget is used up, checks, saves. Returns true when all was done, false when
@@ -109,7 +109,7 @@ class LearningSession {
   void lap();
 
   LearnOptions options_;
-  Clock clock_;
+  Stopwatch clock_;
   std::atomic<bool> stop_{false};
   mutable FairMutex mutex_;  // whoever changes run_ or phase_, or uses checkpointer_, has it
   Checkpointer checkpointer_;

@@ -7,14 +7,10 @@
 #include <vector>
 
 #include "common/random.h"
-#include "robot/load_robot.h"
+#include "execution/shipped_robot.h"
 #include "self_model/body_belief.h"
 
 namespace hexapod {
-
-inline RobotDescription shippedRobot() {
-  return loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml");
-}
 
 /// The shipped robot, in a body of its own, walking.
 class WalkedBody {

@@ -1,15 +1,10 @@
 #include "ros_interface/simulated_robot/robot_commands.h"
 
-#include <ros/console.h>
-
 #include "ros_interface/common/clock.h"
-#include "ros_interface/common/names.h"
 
 namespace hexapod {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 50;
-constexpr double kWarnPeriod_s = 5.0;
 // Limits that went through text.
 constexpr double kLimitSlack_rad = 1e-6;
 // A longer pause between two commands is no stream.
@@ -17,12 +12,9 @@ constexpr std::int64_t kLongestPeriod_ns = 200'000'000;
 
 }  // namespace
 
-RobotCommands::RobotCommands(ros::NodeHandle& node, const RobotDescription& robot,
-                             std::int64_t latency_ns)
+RobotCommands::RobotCommands(const RobotDescription& robot, std::int64_t latency_ns)
     : matcher_(robot.jointNames()), schedule_(latency_ns) {
   for (const Joint* joint : robot.joints()) joints_.push_back(*joint);
-  subscriber_ = node.subscribe(names::kJointCommand, kQueueSize, &RobotCommands::onCommand, this,
-                               ros::TransportHints().tcpNoDelay());
 }
 
 const std::vector<double>* RobotCommands::due(std::int64_t step_ns) {
@@ -39,20 +31,20 @@ bool RobotCommands::expects(std::int64_t time_ns) const {
   return period_ns_ > 0 && schedule_.newestStamp_ns() + period_ns_ <= time_ns;
 }
 
-void RobotCommands::onCommand(const sensor_msgs::JointState::ConstPtr& message) {
+bool RobotCommands::take(const sensor_msgs::JointState& command) {
   ++counts_.received;
-  if (!matcher_.match(message->name, message->position) || !withinLimits(matcher_.values())) {
-    if (!matcher_.problem().empty()) problem_ = matcher_.problem();
+  const bool matches = matcher_.match(command.name, command.position);
+  if (!matches) problem_ = matcher_.problem();
+  if (!matches || !withinLimits(matcher_.values())) {
     ++counts_.refused;
-    ROS_WARN_STREAM_THROTTLE(kWarnPeriod_s, "A joint command is ignored: " << problem_);
-    return;
+    return false;
   }
   if (random_.chance(lost_share_)) {
     ++counts_.lost;
-    return;
+    return true;
   }
   const std::int64_t before_ns = schedule_.newestStamp_ns();
-  switch (schedule_.add(toNs(message->header.stamp), last_step_ns_, matcher_.values())) {
+  switch (schedule_.add(toNs(command.header.stamp), last_step_ns_, matcher_.values())) {
     case CommandSchedule::Arrival::kScheduled:
       break;
     case CommandSchedule::Arrival::kLate:
@@ -68,6 +60,7 @@ void RobotCommands::onCommand(const sensor_msgs::JointState::ConstPtr& message) 
   }
   const std::int64_t period_ns = schedule_.newestStamp_ns() - before_ns;
   period_ns_ = before_ns > 0 && period_ns <= kLongestPeriod_ns ? period_ns : 0;
+  return true;
 }
 
 bool RobotCommands::withinLimits(const std::vector<double>& targets_rad) {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <ros/node_handle.h>
 #include <sensor_msgs/JointState.h>
 
 #include <cstdint>
@@ -14,9 +13,9 @@
 
 namespace hexapod {
 
-/// Receives joint_command and holds each command until its step. Physics sees only commands that
-/// name every joint once, finite and within its limits; the others are counted and left out.
-/// Used by one thread.
+/// Takes joint commands and holds each until its step. Physics sees only commands that name every
+/// joint once, finite and within its limits; the others are counted and left out. Knows no wire;
+/// used by one thread.
 class RobotCommands {
  public:
   struct Counts {
@@ -28,7 +27,10 @@ class RobotCommands {
     std::uint64_t lost = 0;     ///< by the disturbance
   };
 
-  RobotCommands(ros::NodeHandle& node, const RobotDescription& robot, std::int64_t latency_ns);
+  RobotCommands(const RobotDescription& robot, std::int64_t latency_ns);
+
+  /// False when it is refused: see problem().
+  bool take(const sensor_msgs::JointState& command);
 
   /// The targets that act from the step that begins at `step_ns`; nullptr: those before go on.
   const std::vector<double>* due(std::int64_t step_ns);
@@ -49,7 +51,6 @@ class RobotCommands {
   const std::string& problem() const { return problem_; }
 
  private:
-  void onCommand(const sensor_msgs::JointState::ConstPtr& message);
   bool withinLimits(const std::vector<double>& targets_rad);
 
   std::vector<Joint> joints_;
@@ -62,7 +63,6 @@ class RobotCommands {
   std::int64_t period_ns_ = 0;  // between the two newest commands; 0: unknown
   Counts counts_;
   std::string problem_;
-  ros::Subscriber subscriber_;
 };
 
 }  // namespace hexapod

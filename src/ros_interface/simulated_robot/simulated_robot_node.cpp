@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ros_interface/common/clock.h"
 #include "ros_interface/common/names.h"
 #include "ros_interface/common/realtime.h"
+#include "ros_interface/simulated_robot/repertoire_check.h"
 
 namespace hexapod {
 namespace {
@@ -21,12 +21,10 @@ constexpr std::int64_t kMs = 1'000'000;
 // Callbacks are served at least this often, so that a signal is seen.
 constexpr std::int64_t kLongestWait_ns = 50 * kMs;
 // After a stall, commands that lie in the sockets are read before the missed steps are taken.
-constexpr std::int64_t kStall_ns = 30 * kMs;
 constexpr std::int64_t kReadAfterStall_ns = 5 * kMs;
-// Later than this, the world has stood still instead: an executor takes joint states that are half
-// a second old for those of a robot that is gone.
-constexpr std::int64_t kLongestCatchUp_ns = 300 * kMs;
+constexpr std::uint32_t kCommandQueueSize = 50;
 constexpr double kWarningPeriod_s = 10.0;
+constexpr double kIgnoredPeriod_s = 5.0;
 constexpr std::int64_t kCommandPatience_ns = 500 * kMs;
 
 Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& robot) {
@@ -44,12 +42,17 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
       engine_(engineFor(options, robot)),
       robot_(robot),
       started_with_(options.disturbance),
-      step_ns_(std::llround(options.disturbance.physics.step_s * 1e9)),
-      time_ns_(static_cast<std::int64_t>(ros::WallTime::now().toNSec())),
-      steady_start_ns_(steadyNow_ns()),
-      commands_(node, robot, std::llround(options.command_latency_s * 1e9)),
-      repertoire_check_(node, robot.digest),
-      publisher_(node, robot, options.publish_clock),
+      timer_({secondsToNs(options.disturbance.physics.step_s), options.real_time_factor,
+              options.publish_clock},
+             clock_),
+      commands_(robot, secondsToNs(options.command_latency_s)),
+      observer_(robot),
+      publisher_(node, options.publish_clock),
+      command_subscriber_(node.subscribe(names::kJointCommand, kCommandQueueSize,
+                                         &SimulatedRobotNode::onCommand, this,
+                                         ros::TransportHints().tcpNoDelay())),
+      repertoire_subscriber_(
+          node.subscribe(names::kRepertoire, 1, &SimulatedRobotNode::onRepertoire, this)),
       reset_publisher_(node.advertise<std_msgs::Header>(names::kRobotReset, 1)),
       reset_service_(private_node.advertiseService("reset", &SimulatedRobotNode::onReset, this)),
       pause_service_(private_node.advertiseService("pause", &SimulatedRobotNode::onPause, this)),
@@ -69,12 +72,11 @@ void SimulatedRobotNode::run(const std::atomic<bool>& leave) {
     raiseTransportPriority();
   }
   updater_.force_update();  // the first one asks the master
-  // Its time begins now, however long the start took.
-  steady_start_ns_ = steadyNow_ns();
-  time_ns_ = static_cast<std::int64_t>(ros::WallTime::now().toNSec());
+  // However long the start took.
+  timer_.begin(static_cast<std::int64_t>(ros::WallTime::now().toNSec()));
   while (!leave && ros::ok()) {
     updater_.update();
-    const std::int64_t wait_ns = nextDeadline_ns() - steadyNow_ns();
+    const std::int64_t wait_ns = timer_.wait_ns();
     if (wait_ns > 0) {
       catching_up_ = false;
       waitAndServe(wait_ns);
@@ -91,56 +93,36 @@ void SimulatedRobotNode::waitAndServe(std::int64_t wait_ns) {
   ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(wait_s));
 }
 
-// The step that begins at time_ns_ is taken when it ends.
-std::int64_t SimulatedRobotNode::nextDeadline_ns() const {
-  if (paused_ && options_.publish_clock) return steadyNow_ns() + kLongestWait_ns;
-  if (options_.real_time_factor == 0.0) return 0;
-  const double elapsed_ns =
-      static_cast<double>((steps_ + 1) * step_ns_) / options_.real_time_factor;
-  return steady_start_ns_ + static_cast<std::int64_t>(elapsed_ns);
-}
-
 void SimulatedRobotNode::awaitCommand() {
   waitAndServe(0);
   const std::int64_t deadline_ns = steadyNow_ns() + kCommandPatience_ns;
-  while (commands_.expects(time_ns_) && steadyNow_ns() < deadline_ns) waitAndServe(kMs);
-  if (commands_.expects(time_ns_)) commands_.giveUp();
+  while (commands_.expects(timer_.time_ns()) && steadyNow_ns() < deadline_ns) waitAndServe(kMs);
+  if (commands_.expects(timer_.time_ns())) commands_.giveUp();
 }
 
 void SimulatedRobotNode::catchUpIfStalled(std::int64_t late_ns) {
-  if (options_.real_time_factor == 0.0 || late_ns < kStall_ns) return;
+  if (!timer_.isStall(late_ns)) return;
   if (!catching_up_) {
     sleepUntilSteady(steadyNow_ns() + kReadAfterStall_ns);
     waitAndServe(0);
   }
   catching_up_ = true;
-  if (options_.publish_clock) {
-    // Time is ours: it stood still, for everybody, as long as we did.
-    steady_start_ns_ += late_ns;
-    return;
-  }
-  if (late_ns >= kLongestCatchUp_ns) standStill(late_ns);
-}
-
-// Time goes on without the world.
-void SimulatedRobotNode::standStill(std::int64_t late_ns) {
-  const std::int64_t steps = late_ns / step_ns_;
-  steps_ += steps;
-  time_ns_ += steps * step_ns_;
-  stood_still_ns_ += steps * step_ns_;
+  const std::int64_t stood_ns = timer_.standStill(late_ns);
+  stood_still_ns_ += stood_ns;
+  if (stood_ns == 0) return;
   ROS_WARN_STREAM_THROTTLE(kWarningPeriod_s,
                            "The simulated robot stood still for "
-                               << 1e-9 * static_cast<double>(late_ns)
+                               << 1e-9 * static_cast<double>(stood_ns)
                                << " s: its process was stopped, or the machine is too busy.");
 }
 
 void SimulatedRobotNode::step() {
-  const std::vector<double>* targets = commands_.due(time_ns_);
+  const std::vector<double>* targets = commands_.due(timer_.time_ns());
   if (targets != nullptr) command(*targets);
-  if (!paused_) noteVerdict(world_->step());
-  ++steps_;
-  time_ns_ += step_ns_;
-  publisher_.publish(*world_, timeFromNs(time_ns_));
+  if (!timer_.isPaused()) noteVerdict(world_->step());
+  timer_.step();
+  const ros::Time now = timeFromNs(timer_.time_ns());
+  publisher_.publish(observer_.observe(*world_, now), now);
 }
 
 void SimulatedRobotNode::command(std::vector<double> targets_rad) {
@@ -166,7 +148,7 @@ void SimulatedRobotNode::disturb(const Disturbance& disturbance) {
   world_ = std::move(world);
   disturbance_ = disturbance;
   commands_.disturb(std::llround(disturbance.latency_s * 1e9), disturbance.dropped_share);
-  publisher_.disturb(robot_, disturbance);
+  observer_.disturb(robot_, disturbance);
 }
 
 bool SimulatedRobotNode::onDisturb(hexapod_repertoire::Disturb::Request& request,
@@ -195,16 +177,27 @@ void SimulatedRobotNode::noteVerdict(Verdict verdict) {
                                                     : "; it goes on."));
 }
 
+void SimulatedRobotNode::onCommand(const sensor_msgs::JointState::ConstPtr& command) {
+  if (commands_.take(*command)) return;
+  ROS_WARN_STREAM_THROTTLE(kIgnoredPeriod_s, "A joint command is ignored: " << commands_.problem());
+}
+
+void SimulatedRobotNode::onRepertoire(
+    const hexapod_repertoire::Repertoire::ConstPtr& repertoire) const {
+  const std::string problem = wrongRobot(*repertoire, robot_.digest);
+  if (!problem.empty()) ROS_ERROR_STREAM(problem);
+}
+
 bool SimulatedRobotNode::onReset(std_srvs::Trigger::Request&,
                                  std_srvs::Trigger::Response& response) {
   disturb(started_with_);
   world_->restart();
   world_->setTargets(robot_.neutralPose());
   commands_.clear();
-  publisher_.forgetMotion();
+  observer_.forgetMotion();
   verdict_ = Verdict::kWalked;
   std_msgs::Header header;
-  header.stamp = timeFromNs(time_ns_);
+  header.stamp = timeFromNs(timer_.time_ns());
   header.frame_id = names::kOdomFrame;
   reset_publisher_.publish(header);
   response.success = true;
@@ -214,14 +207,9 @@ bool SimulatedRobotNode::onReset(std_srvs::Trigger::Request&,
 
 bool SimulatedRobotNode::onPause(std_srvs::SetBool::Request& request,
                                  std_srvs::SetBool::Response& response) {
-  if (paused_ && !request.data && options_.publish_clock && options_.real_time_factor > 0.0) {
-    // Simulated time stood still: the next step is due one step from now.
-    steady_start_ns_ = steadyNow_ns();
-    steps_ = 0;
-  }
-  paused_ = request.data;
+  timer_.pause(request.data);
   response.success = true;
-  response.message = paused_ ? "The robot stands still." : "The robot moves.";
+  response.message = timer_.isPaused() ? "The robot stands still." : "The robot moves.";
   return true;
 }
 
@@ -229,7 +217,7 @@ void SimulatedRobotNode::report(diagnostic_updater::DiagnosticStatusWrapper& dia
   const bool fine = verdict_ == Verdict::kWalked;
   diagnostics.summary(
       fine ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN,
-      fine ? (paused_ ? "paused" : "running") : toString(verdict_));
+      fine ? (timer_.isPaused() ? "paused" : "running") : toString(verdict_));
   const RobotCommands::Counts& counts = commands_.counts();
   diagnostics.add("Commands received", counts.received);
   diagnostics.add("Commands ignored", counts.refused);

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <diagnostic_updater/diagnostic_updater.h>
+#include <hexapod_repertoire/Repertoire.h>
 #include <ros/node_handle.h>
+#include <ros/subscriber.h>
+#include <sensor_msgs/JointState.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
@@ -10,23 +13,23 @@
 #include <memory>
 
 #include "robot/robot_description.h"
-#include "ros_interface/simulated_robot/repertoire_check.h"
+#include "ros_interface/common/clock.h"
 #include "ros_interface/simulated_robot/robot_commands.h"
+#include "ros_interface/simulated_robot/robot_observer.h"
 #include "ros_interface/simulated_robot/robot_publisher.h"
 #include "ros_interface/simulated_robot/simulated_robot_options.h"
+#include "ros_interface/simulated_robot/step_timer.h"
 #include "simulation/world.h"
 
 namespace hexapod {
 
 /// A World that runs in real time, or as fast as asked, behind the topics of a robot.
 ///
-/// Its time is start + n * step in integer nanoseconds, on the axis of ROS wall time; it never goes
-/// back, not on reset either. After a short stall of the process the steps that were missed are
-/// taken at once; when that cannot make up for it the world has stood still instead, so that what
-/// it reports is never old. As fast as it can (factor 0) still waits for each command of a live
-/// stream, so that none comes late. ~disturb breaks it, weakens it or changes its floor from one
-/// step to the next; ~reset puts it back on its feet as it was started. Everything happens in the
-/// thread of run().
+/// Its time (StepTimer) is on the axis of ROS wall time; it never goes back, not on reset either,
+/// and what it reports is never old. As fast as it can (factor 0) still waits for each command of a
+/// live stream, so that none comes late. ~disturb breaks it, weakens it or changes its floor from
+/// one step to the next; ~reset puts it back on its feet as it was started. Everything happens in
+/// the thread of run().
 class SimulatedRobotNode {
  public:
   /// Throws std::invalid_argument when options do not fit.
@@ -38,14 +41,14 @@ class SimulatedRobotNode {
 
  private:
   void waitAndServe(std::int64_t wait_ns);
-  std::int64_t nextDeadline_ns() const;
   void awaitCommand();
   void catchUpIfStalled(std::int64_t late_ns);
-  void standStill(std::int64_t late_ns);
   void step();
   void command(std::vector<double> targets_rad);
   void noteVerdict(Verdict verdict);
   void disturb(const Disturbance& disturbance);
+  void onCommand(const sensor_msgs::JointState::ConstPtr& command);
+  void onRepertoire(const hexapod_repertoire::Repertoire::ConstPtr& repertoire) const;
   bool onReset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool onDisturb(hexapod_repertoire::Disturb::Request& request,
                  hexapod_repertoire::Disturb::Response& response);
@@ -59,18 +62,17 @@ class SimulatedRobotNode {
   Disturbance disturbance_;
   WorldState stand_;  // of the robot without damage
   std::unique_ptr<World> world_;
-  std::int64_t step_ns_;
-  std::int64_t time_ns_;          // of the world's state
-  std::int64_t steady_start_ns_;  // when time_ns_ of step 0 was due
-  std::int64_t steps_ = 0;        // since steady_start_ns_
-  bool paused_ = false;
+  SystemClock clock_;
+  StepTimer timer_;
   bool catching_up_ = false;
   Verdict verdict_ = Verdict::kWalked;
   std::uint64_t falls_ = 0;
   std::int64_t stood_still_ns_ = 0;  // altogether, because the process was too late
   RobotCommands commands_;
-  RepertoireCheck repertoire_check_;
+  RobotObserver observer_;
   RobotPublisher publisher_;
+  ros::Subscriber command_subscriber_;
+  ros::Subscriber repertoire_subscriber_;
   ros::Publisher reset_publisher_;
   ros::ServiceServer reset_service_;
   ros::ServiceServer pause_service_;

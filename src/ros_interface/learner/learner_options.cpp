@@ -1,0 +1,16 @@
+#include "ros_interface/learner/learner_options.h"
+
+namespace hexapod {
+
+std::vector<Option> declareOptions(LearnerOptions& options) {
+  std::vector<Option> all = declareOptions(options.learn);
+  all.push_back(option("robot_config", options.robot_config,
+                       "YAML of the robot: legs, gait, servo, contact (config/hexapod.yaml)."));
+  all.push_back(option("publish_period_s", options.publish_period_s, "s",
+                       "The growing repertoire is published at most this often.", 0.1, 86400.0));
+  all.push_back(option("exit_when_done", options.exit_when_done,
+                       "End when the budget is used up; false: go on publishing."));
+  return all;
+}
+
+}  // namespace hexapod

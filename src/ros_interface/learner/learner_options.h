@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "common/options.h"
+#include "learning/learn_options.h"
+
+namespace hexapod {
+
+/// Options of the learner node: those of the run, and how it is published.
+struct LearnerOptions {
+  LearnOptions learn;
+  std::string robot_config;
+  double publish_period_s = 10.0;
+  bool exit_when_done = false;
+};
+
+/// The options under their names, bound to `options`, which must outlive them.
+std::vector<Option> declareOptions(LearnerOptions& options);
+
+}  // namespace hexapod

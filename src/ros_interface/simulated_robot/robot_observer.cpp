@@ -1,0 +1,122 @@
+#include "ros_interface/simulated_robot/robot_observer.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ros_interface/common/names.h"
+
+namespace hexapod {
+namespace {
+
+Eigen::Isometry3d inSpace(const Pose2& pose) {
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.translation() << pose.x_m, pose.y_m, 0.0;
+  isometry.linear() = Eigen::AngleAxisd(pose.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return isometry;
+}
+
+geometry_msgs::Quaternion toMsg(const Eigen::Quaterniond& rotation) {
+  geometry_msgs::Quaternion message;
+  message.x = rotation.x();
+  message.y = rotation.y();
+  message.z = rotation.z();
+  message.w = rotation.w();
+  return message;
+}
+
+geometry_msgs::TransformStamped toMsg(const Eigen::Isometry3d& transform, const char* parent,
+                                      const std::string& child, const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform.translation.x = transform.translation().x();
+  message.transform.translation.y = transform.translation().y();
+  message.transform.translation.z = transform.translation().z();
+  message.transform.rotation = toMsg(Eigen::Quaterniond(transform.linear()).normalized());
+  return message;
+}
+
+// Of twelve uniform numbers: standard deviation 1.
+double normal(Random& random) {
+  double sum = -6.0;
+  for (int i = 0; i < 12; ++i) sum += random.uniform();
+  return sum;
+}
+
+}  // namespace
+
+RobotObserver::RobotObserver(const RobotDescription& robot)
+    : base_link_(robot.base_link),
+      base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())),
+      joint_names_(robot.jointNames()),
+      reported_(robot.jointCount(), true) {
+  report_.odometry.header.frame_id = names::kOdomFrame;
+  report_.odometry.child_frame_id = names::kFootprintFrame;
+}
+
+const RobotReport* RobotObserver::observe(const World& world, const ros::Time& stamp) {
+  fillJoints(world);
+  const Eigen::Isometry3d world_from_base = world.worldFromBase();
+  const std::vector<double>& angles_rad = report_.joints.position;
+  if (!world_from_base.matrix().allFinite() ||
+      !std::all_of(angles_rad.begin(), angles_rad.end(),
+                   [](double angle_rad) { return std::isfinite(angle_rad); })) {
+    return nullptr;
+  }
+  report_.joints.header.stamp = stamp;
+  const Pose2 odom_from_footprint = footprint(world_from_base);
+  fillOdometry(odom_from_footprint, stamp);
+  fillTransforms(world_from_base, odom_from_footprint, stamp);
+  return &report_;
+}
+
+void RobotObserver::fillJoints(const World& world) {
+  world.jointAngles(angles_rad_);
+  report_.joints.name.clear();
+  report_.joints.position.clear();
+  for (std::size_t j = 0; j < angles_rad_.size(); ++j) {
+    if (!reported_[j]) continue;
+    report_.joints.name.push_back(joint_names_[j]);
+    report_.joints.position.push_back(angles_rad_[j] + noise_rad_ * normal(random_));
+  }
+}
+
+void RobotObserver::disturb(const RobotDescription& robot, const Disturbance& disturbance) {
+  noise_rad_ = disturbance.feedback_noise_rad;
+  reported_.clear();
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    const std::vector<LegState>& legs = disturbance.physics.legs;
+    const bool there = legs.empty() || legs[leg].condition != LegCondition::kMissing;
+    reported_.insert(reported_.end(), robot.legs[leg].segments.size(), there);
+  }
+}
+
+void RobotObserver::fillOdometry(const Pose2& odom_from_footprint, const ros::Time& stamp) {
+  report_.odometry.header.stamp = stamp;
+  report_.odometry.pose.pose.position.x = odom_from_footprint.x_m;
+  report_.odometry.pose.pose.position.y = odom_from_footprint.y_m;
+  report_.odometry.pose.pose.orientation = toMsg(
+      Eigen::Quaterniond(Eigen::AngleAxisd(odom_from_footprint.yaw_rad, Eigen::Vector3d::UnitZ())));
+  report_.odometry.twist.twist = geometry_msgs::Twist();
+  if (last_ && stamp > last_->stamp) {
+    // Velocity over the last step, in the footprint's frame.
+    const Pose2 moved = inverse(last_->odom_from_footprint) * odom_from_footprint;
+    const double elapsed_s = (stamp - last_->stamp).toSec();
+    report_.odometry.twist.twist.linear.x = moved.x_m / elapsed_s;
+    report_.odometry.twist.twist.linear.y = moved.y_m / elapsed_s;
+    report_.odometry.twist.twist.angular.z = moved.yaw_rad / elapsed_s;
+  }
+  last_ = Footing{odom_from_footprint, stamp};
+}
+
+void RobotObserver::fillTransforms(const Eigen::Isometry3d& world_from_base, const Pose2& footprint,
+                                   const ros::Time& stamp) {
+  const Eigen::Isometry3d odom_from_footprint = inSpace(footprint);
+  const Eigen::Isometry3d footprint_from_base = odom_from_footprint.inverse() * world_from_base;
+  report_.transforms = {
+      toMsg(odom_from_footprint, names::kOdomFrame, names::kFootprintFrame, stamp),
+      toMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_, stamp)};
+}
+
+}  // namespace hexapod
