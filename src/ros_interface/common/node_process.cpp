@@ -59,6 +59,16 @@ int explain(const std::exception& error, int code) {
   return code;
 }
 
+int runBody(const NodeMain& node) {
+  try {
+    return node.body();
+  } catch (const std::invalid_argument& error) {
+    return explain(error, 2);
+  } catch (const std::exception& error) {
+    return explain(error, 1);
+  }
+}
+
 }  // namespace
 
 int runNode(int argc, char** argv, const NodeMain& node) {
@@ -72,13 +82,10 @@ int runNode(int argc, char** argv, const NodeMain& node) {
   watchEnd(node.saves);
   // Started here, ROS and its console outlive the body's node handles.
   ros::start();
-  try {
-    return node.body();
-  } catch (const std::invalid_argument& error) {
-    return explain(error, 2);
-  } catch (const std::exception& error) {
-    return explain(error, 1);
-  }
+  const int code = runBody(node);
+  // While its singletons live: a thread of ROS that outlives them aborts the process.
+  ros::shutdown();
+  return code;
 }
 
 const std::atomic<bool>& leaveFlag() { return leave; }

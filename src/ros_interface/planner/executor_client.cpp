@@ -88,7 +88,7 @@ std::string ExecutorClient::silence() const {
 }
 
 std::string ExecutorClient::whyNotReady() const {
-  const std::string silent = silence();
+  std::string silent = silence();
   if (!silent.empty()) return silent;
   const std::lock_guard<std::mutex> lock(mutex_);
   return needsAPerson(state_->state) ? advice(*state_) : "";
@@ -103,7 +103,7 @@ BehaviorPlayer::Result ExecutorClient::play(const Order& order) {
   Patience patience(clock_, kReady_s);
   while (true) {
     if (const auto problem = awaitReady(order)) return *problem;
-    const Result result = playOnce(order);
+    Result result = playOnce(order);
     // Between its state and our goal somebody else may have come first.
     if (result.end != End::kNotReady || patience.verdict() != Patience::Verdict::kWait) {
       return result;
