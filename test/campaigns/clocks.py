@@ -12,8 +12,9 @@ import walking_session as ws  # noqa: E402
 SEED = 11
 FACTOR = 4.0  # simulated time
 ANSWER_TIMEOUT_S = 30.0
-# After time stood still, all clients are to hear of it so soon.
-TOLD_S = 2.0
+# Once time stands, all clients are to hear of it so soon; as a test, on a machine that is busy with
+# others, later.
+TOLD_S, TOLD_SHORT_S = 2.0, 4.0
 
 
 class Disturbance:
@@ -71,8 +72,8 @@ def one_run(disturbance, client, random_numbers):
     client.walk_to(target)
     time.sleep(random_numbers.uniform(0.0, 4.5 if disturbance.name == "set" else 1.5))
     client.go_to(target, wait=True)
-    begin = time.monotonic()
     disturbance.begin()
+    begin = time.monotonic()
     ws.wait_for(lambda: all(asked.answers for asked in client.asked), ANSWER_TIMEOUT_S,
                 "the answers to disturbed goals")
     disturbance.end()
@@ -80,7 +81,7 @@ def one_run(disturbance, client, random_numbers):
     return [asked.answers[0].code for asked in client.asked], max(0.0, answered - begin)
 
 
-def campaign(name, runs):
+def campaign(name, runs, told_s):
     """The rows of the report for one disturbance, and the problems."""
     from walking_client import WalkingClient
     from hexapod_repertoire.srv import GoToResponse
@@ -104,16 +105,17 @@ def campaign(name, runs):
                     problems.append(f"run {run}: a clock that was set ended a walk with "
                                     f"{names.get(code, code)}: "
                                     f"{[a.answers[0].message for a in client.asked]}")
-            if name == "frozen" and took_s > TOLD_S:
+            if name == "frozen" and took_s > told_s:
                 problems.append(f"run {run}: told {took_s:.1f} s after time stood still")
             make_ready(client)
             x, y, yaw = client.pose()
             from walking_client import goal_message
             here = client.walk_to(goal_message(x, y, yaw))
             ws.wait_for(lambda: here.answers, ANSWER_TIMEOUT_S, "the goal after the disturbance")
-            after += here.answers[0].code == GoToResponse.SUCCEEDED
-        if after < runs:
-            problems.append(f"{runs - after} goals after a disturbance failed")
+            if here.answers[0].code == GoToResponse.SUCCEEDED:
+                after += 1
+            else:
+                problems.append(f"run {run}: the next goal failed: {here.answers[0].message}")
         if problems:
             print(*(session.log(node)[-4000:] for node in ws.NODES), file=sys.stderr)
         _, left_s = session.leave("planner")
@@ -140,7 +142,8 @@ def main():
         # rospy belongs to one master per process.
         import multiprocessing
         with multiprocessing.get_context("spawn").Pool(1) as pool:
-            row, problems = pool.apply(campaign, (name, 2 if arguments.short else arguments.runs))
+            how = (2, TOLD_SHORT_S) if arguments.short else (arguments.runs, TOLD_S)
+            row, problems = pool.apply(campaign, (name, *how))
         print(row, flush=True)
         for problem in problems:
             print(problem, file=sys.stderr)

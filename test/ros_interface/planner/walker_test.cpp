@@ -31,7 +31,7 @@ class WalkerTest : public testing::Test {
   WalkReport walk(const GoalRequest& request) {
     Client client;
     submit(client, request);
-    const WalkReport report = client.waitForEnd();
+    WalkReport report = client.waitForEnd();
     EXPECT_EQ(client.ends(), 1u);
     return report;
   }
