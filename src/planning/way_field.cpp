@@ -64,8 +64,8 @@ WayField::Index WayField::indexOf(double world_x_m, double world_y_m) const {
 
 /// In the frame of the map.
 WayField::Point WayField::centreOf(Index cell) const {
-  return {west_m_ + (cell % columns_ + 0.5) * cell_m_,
-          south_m_ + (cell / columns_ + 0.5) * cell_m_};
+  const Index row = cell / columns_;
+  return {west_m_ + (cell % columns_ + 0.5) * cell_m_, south_m_ + (row + 0.5) * cell_m_};
 }
 
 bool WayField::isOpen(Index cell) const {
@@ -193,10 +193,11 @@ std::optional<WayField::Way> WayField::wayFrom(double world_x_m, double world_y_
          ++r) {
       for (Index c = std::max(0, at % columns_ - 1); c <= std::min(columns_ - 1, at % columns_ + 1);
            ++c) {
-        const Cell& cell = cells_[static_cast<std::size_t>(r * columns_ + c)];
+        const Index beside = r * columns_ + c;
+        const Cell& cell = cells_[static_cast<std::size_t>(beside)];
         if (cell.fifths >= 0 &&
             (best < 0 || cell.fifths < cells_[static_cast<std::size_t>(best)].fifths)) {
-          best = r * columns_ + c;
+          best = beside;
         }
       }
     }

@@ -31,8 +31,9 @@ class PoseDraw {
   std::size_t cell() { return static_cast<std::size_t>(random_.below(map_.cells.size())); }
   Pose2 poseIn(std::size_t cell) {
     const auto columns = static_cast<std::size_t>(map_.columns);
+    const std::size_t row = cell / columns;
     const double x = (static_cast<double>(cell % columns) + 0.5) * map_.resolution_m;
-    const double y = (static_cast<double>(cell / columns) + 0.5) * map_.resolution_m;
+    const double y = (static_cast<double>(row) + 0.5) * map_.resolution_m;
     return map_.world_from_map * Pose2{x, y, random_.uniform(-M_PI, M_PI)};
   }
 
@@ -97,8 +98,10 @@ bool isConnected(const PlanTask& task, double radius_m) {
   };
   const auto [column, row] = cellOf(task.request.world_from_start);
   const auto [goal_column, goal_row] = cellOf(task.request.world_from_goal);
-  return connectedCells(map, radius_m, column,
-                        row)[static_cast<std::size_t>(goal_row * map.columns + goal_column)] != 0;
+  const std::size_t goal =
+      static_cast<std::size_t>(goal_row) * static_cast<std::size_t>(map.columns) +
+      static_cast<std::size_t>(goal_column);
+  return connectedCells(map, radius_m, column, row)[goal] != 0;
 }
 
 Pose2 drawMiss(Random& random) {

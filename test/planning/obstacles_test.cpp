@@ -173,6 +173,10 @@ TEST(MovePath, BendsTheKnownWayToTheExpectedEnd) {
   EXPECT_NEAR(path.points[2].sine, 0.0, 1e-12);
 }
 
+TEST(MovePath, OfAnAbsurdlyFarEndHasNoMorePointsThanIsReasonable) {
+  EXPECT_LT(makeMovePath({1e6, -1e6, 0.0}, {}).points.size(), 3000u);
+}
+
 TEST(MovePath, OfAnUnknownWayIsAnArcWithABulge) {
   const MovePath path = makeMovePath({0.5, 0.0, 0.0}, {});
   ASSERT_GT(path.points.size(), 10u);

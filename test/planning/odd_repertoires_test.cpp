@@ -125,6 +125,17 @@ TEST(OddRepertoire, OfSidestepsGetsAside) {
   EXPECT_EQ(planTo(repertoire, {0.8, -1.0, 0.0}).steps.size(), 9u);
 }
 
+TEST(OddRepertoire, OfNinePrimitivesOfAWheeledRobotGetsAnywhere) {
+  const Repertoire repertoire = repertoireOf(
+      {entryTo({0.05, 0.0, 0.0}), entryTo({0.4, 0.0, 0.0}), entryTo({-0.05, 0.0, 0.0}),
+       entryTo({0.4, 0.1, 0.39}), entryTo({0.4, -0.1, -0.39}), entryTo({-0.4, 0.1, -0.39}),
+       entryTo({-0.4, -0.1, 0.39}), entryTo({0.0, 0.0, 0.39}), entryTo({0.0, 0.0, -0.39})});
+  for (const Pose2& goal : {Pose2{1.0, 0.5, 0.0}, Pose2{-1.0, 0.2, 3.0}, Pose2{0.0, 0.7, 1.5},
+                            Pose2{2.0, -2.0, -0.8}}) {
+    EXPECT_EQ(planTo(repertoire, goal).code, PlanCode::kFound);
+  }
+}
+
 TEST(OddRepertoire, WithAnAbsurdlyFarEntryStillPlans) {
   Repertoire repertoire = arcRepertoire(100, 6);
   repertoire.entries.push_back(entryTo({1e6, -1e6, 0.0}));
