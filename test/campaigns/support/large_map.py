@@ -1,13 +1,22 @@
-"""A large map that changes all the time."""
+#!/usr/bin/python3
+"""Publishes a large map of which a bit changes every time, until standard input ends.
+
+Boxes all over, and some that come and go around the position given as arguments [m, in odom]. A
+process of its own: writing 16 million cells holds up others in the same interpreter. Prints the
+position of the newest box, as a line of JSON, after each map.
+"""
 import io
+import json
+import random
 import struct
+import sys
 import threading
 import time
 
 import rospy
-import walking_session as ws
 from nav_msgs.msg import OccupancyGrid
 
+SEED = 13
 PERIOD_S = 1.0
 SIDE, RESOLUTION_M = 4000, 0.05
 BOX_CELLS = 16
@@ -26,12 +35,11 @@ class LargeGrid(OccupancyGrid):
         buff.write(self.data)
 
 
-class MapStream:
-    """Publishes it as long as it is entered: boxes all over, and some that come and go around the
-    pose it was begun at."""
+class LargeMap:
+    """The map around a position, and what comes and goes in it."""
 
-    def __init__(self, random_numbers, pose):
-        self.random, self.sent, self.middle = random_numbers, 0, pose
+    def __init__(self, x_m, y_m):
+        self.random, self.middle = random.Random(SEED), (x_m, y_m)
         self.cells = bytearray(SIDE * SIDE)
         for _ in range(BOXES):
             self.fill(self.draw(SIDE // 2 - BOX_CELLS), 100)
@@ -40,13 +48,9 @@ class MapStream:
         self.message.header.frame_id = "odom"
         self.message.info.resolution = RESOLUTION_M
         self.message.info.width = self.message.info.height = SIDE
-        self.message.info.origin.position.x = pose[0] - SIDE * RESOLUTION_M / 2.0
-        self.message.info.origin.position.y = pose[1] - SIDE * RESOLUTION_M / 2.0
+        self.message.info.origin.position.x = x_m - SIDE * RESOLUTION_M / 2.0
+        self.message.info.origin.position.y = y_m - SIDE * RESOLUTION_M / 2.0
         self.message.info.origin.orientation.w = 1.0
-        self.publisher = rospy.Publisher("map", LargeGrid, latch=True, queue_size=1)
-        ws.wait_for(lambda: self.publisher.get_num_connections() > 0, 20.0, "the planner on map")
-        self._over = threading.Event()
-        self._thread = threading.Thread(target=self._run)
 
     def draw(self, within):
         """(row, column) of the first cell of a box in so many cells around the middle, of which the
@@ -62,31 +66,35 @@ class MapStream:
             begin = (row + i) * SIDE + column
             self.cells[begin:begin + BOX_CELLS] = bytes([value]) * BOX_CELLS
 
-    def position(self, box):
-        """(x, y) of the middle of a box in odom [m]."""
-        row, column = box
-        return tuple(start + (cell + BOX_CELLS / 2.0 - SIDE / 2.0) * RESOLUTION_M
-                     for start, cell in zip(self.middle, (column, row)))
+    def change(self):
+        """Another box comes, and the oldest of many goes; (x, y) of the middle of the new one."""
+        if len(self.recent) >= RECENT:
+            self.fill(self.recent.pop(0), 0)
+        self.recent.append(self.draw(round(RECENT_M / RESOLUTION_M)))
+        self.fill(self.recent[-1], 100)
+        self.message.data = bytes(self.cells)
+        row, column = self.recent[-1]
+        return [start + (cell + BOX_CELLS / 2.0 - SIDE / 2.0) * RESOLUTION_M
+                for start, cell in zip(self.middle, (column, row))]
 
-    def __enter__(self):
-        self._thread.start()
-        ws.wait_for(lambda: self.sent, 20.0, "the first map")
-        return self
 
-    def __exit__(self, *_):
-        self._over.set()
-        self._thread.join()
+def main():
+    """Until standard input ends."""
+    rospy.init_node("large_map", disable_signals=True, disable_rostime=True)
+    over = threading.Event()
+    threading.Thread(target=lambda: (sys.stdin.read(), over.set()), daemon=True).start()
+    large_map = LargeMap(float(sys.argv[1]), float(sys.argv[2]))
+    publisher = rospy.Publisher("map", LargeGrid, latch=True, queue_size=1)
+    due = time.monotonic()
+    while not over.is_set():
+        newest = large_map.change()
+        publisher.publish(large_map.message)
+        print(json.dumps(newest), flush=True)
+        due += PERIOD_S
+        over.wait(max(0.0, due - time.monotonic()))
+    # A latched message goes with its publisher: the last one has to be on its way.
+    time.sleep(PERIOD_S)
 
-    def _run(self):
-        due = time.monotonic()
-        while not self._over.is_set():
-            if len(self.recent) >= RECENT:
-                self.fill(self.recent.pop(0), 0)
-            box = self.draw(round(RECENT_M / RESOLUTION_M))
-            self.fill(box, 100)
-            self.recent.append(box)
-            self.message.data = bytes(self.cells)
-            self.publisher.publish(self.message)
-            self.sent += 1
-            due += PERIOD_S
-            self._over.wait(max(0.0, due - time.monotonic()))
+
+if __name__ == "__main__":
+    main()
