@@ -11,7 +11,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # What CMake or pkg-config calls a library, and what package.xml calls it.
 NAME_IN_PACKAGE_XML = {
     "Eigen3": "eigen", "TBB": "tbb", "ode": "opende", "urdfdom": "liburdfdom-dev",
-    "GTest": "gtest", "MPI": "mpi",
+    "GTest": "gtest", "MPI": "mpi", "pybind11": "pybind11-dev",
 }
 # Parts of CMake, of the compiler, or of [tools].
 NOT_DEPENDENCIES = {"PkgConfig", "Threads", "catkin"}
