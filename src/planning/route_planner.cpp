@@ -61,6 +61,9 @@ RoutePlan RoutePlanner::plan(const PlanRequest& request, const std::vector<Waypo
     if (!found.legs.empty()) found = search.through(as_given, std::move(found));
     if (!found.legs.empty() && isBetter(found, best)) best = std::move(found);
   }
+  // From the same start to the same waypoint.
+  std::size_t& at_least = best.legs.front().at_least_steps;
+  at_least = std::max(at_least, first.legs.front().at_least_steps);
   best.memory.steps = best.steps();
   return best;
 }

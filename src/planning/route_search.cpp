@@ -4,7 +4,9 @@
 #include <cmath>
 #include <numeric>
 
+#include "planning/aim.h"
 #include "planning/arrivals.h"
+#include "planning/plan_messages.h"
 
 namespace hexapod {
 namespace {
@@ -28,6 +30,17 @@ RouteMemory::Leg memoryOf(const PlanResult& leg, const Waypoint& arrival) {
 bool isSamePlace(const Waypoint& a, const Waypoint& b) {
   return distance(a.world_from_goal, b.world_from_goal) == 0.0 &&
          a.tolerance.xy_m == b.tolerance.xy_m;
+}
+
+/// Says of a plan to a part of the tolerance what it is to the waypoint itself. What is proved of
+/// the part is not of the whole.
+void tellOf(const Waypoint& waypoint, PlanRequest request, PlanResult& leg) {
+  request.world_from_goal = waypoint.world_from_goal;
+  request.tolerance = waypoint.tolerance;
+  leg.world_from_target = waypoint.world_from_goal;
+  measureTo(leg.world_from_end, leg);
+  leg.at_least_steps = std::min<std::size_t>(leg.at_least_steps, 1);
+  leg.message = describe(leg, request, PlannerOptions{});
 }
 
 }  // namespace
@@ -80,11 +93,14 @@ PlanResult RouteSearch::planTo(std::size_t at, const Waypoint& arrival, const Pl
   request.world_from_goal = arrival.world_from_goal;
   request.tolerance = arrival.tolerance;
   request.memory = memory;
-  // What is nearest to a part of the tolerance may lie beyond the whole.
   const bool is_whole =
       isSamePlace(arrival, route_[at]) && arrival.tolerance.yaw_rad == route_[at].tolerance.yaw_rad;
-  if (!is_whole) request.goal_policy = GoalPolicy::kRefuse;
-  return planner_.plan(request);
+  if (is_whole) return planner_.plan(request);
+  // What is nearest to a part of the tolerance may lie beyond the whole.
+  request.goal_policy = GoalPolicy::kRefuse;
+  PlanResult leg = planner_.plan(request);
+  if (leg.success()) tellOf(route_[at], request, leg);
+  return leg;
 }
 
 PlanMemory RouteSearch::waysTo(const Waypoint& arrival) const {

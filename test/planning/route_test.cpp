@@ -85,6 +85,9 @@ TEST_F(PlanRoute, NeverHasMoreBehavioursThanItsLegsOneByOneAndClearlyFewerInTheM
     const RoutePlan found = plan(route);
     ASSERT_TRUE(found.success());
     EXPECT_LE(found.steps(), stepsOneByOne(route));
+    // What is proved holds of the waypoint itself, however it is arrived at.
+    EXPECT_LE(found.legs.front().at_least_steps, leg({}, route.front()).steps.size());
+    EXPECT_EQ(distance(found.legs.front().world_from_target, route.front().world_from_goal), 0.0);
     whole += found.steps();
     one_by_one += stepsOneByOne(route);
   }
