@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 
@@ -25,7 +27,20 @@ inline OccupancyMap mapOf(const std::function<bool(double x_m, double y_m)>& occ
   return map;
 }
 
-/// The same for a robot that is a disc of 0.3 m, with a margin of 3 cm.
+/// A map of one passage along x, so many cells wide, between walls of one cell. Its corner is the
+/// origin.
+inline OccupancyMap passageOf(int free, int columns, double resolution_m) {
+  OccupancyMap map;
+  map.resolution_m = resolution_m;
+  map.columns = columns;
+  map.rows = free + 2;
+  map.cells.assign(static_cast<std::size_t>(map.columns) * static_cast<std::size_t>(map.rows), 0);
+  std::fill_n(map.cells.begin(), map.columns, 100);
+  std::fill_n(map.cells.end() - map.columns, map.columns, 100);
+  return map;
+}
+
+/// The map of mapOf() for a robot that is a disc of 0.3 m, with a margin of 3 cm.
 inline std::shared_ptr<const Obstacles> obstaclesOf(
     const std::function<bool(double x_m, double y_m)>& occupied) {
   return std::make_shared<const Obstacles>(mapOf(occupied), Footprint{{{0.0, 0.0, 0.3}}},

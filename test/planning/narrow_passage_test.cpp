@@ -70,13 +70,8 @@ TEST_F(NarrowPassage, IsFoundAtAnyResolutionAndOriginOfTheMap) {
   for (const double resolution_m : {0.02, 0.05, 0.07, 0.1}) {
     // As many cells as the disc with its margin, 0.66 m wide, and a centimetre beside it take.
     const int free = static_cast<int>(std::ceil(0.68 / resolution_m - 1e-9));
-    OccupancyMap map;
-    map.resolution_m = resolution_m;
-    map.columns = static_cast<int>(std::lround(4.0 / resolution_m));
-    map.rows = free + 2;
-    map.cells.assign(static_cast<std::size_t>(map.columns * map.rows), 0);
-    std::fill_n(map.cells.begin(), map.columns, 100);
-    std::fill_n(map.cells.end() - map.columns, map.columns, 100);
+    OccupancyMap map =
+        passageOf(free, static_cast<int>(std::lround(4.0 / resolution_m)), resolution_m);
     for (int i = 0; i < 5; ++i) {
       map.world_from_map = randomPose(random, 20.0);
       const double middle_m = 0.5 * map.rows * resolution_m;

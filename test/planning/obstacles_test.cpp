@@ -18,7 +18,8 @@ OccupancyMap randomMap(Random& random, double share) {
   map.columns = 23;
   map.rows = 17;
   for (int i = 0; i < map.columns * map.rows; ++i) {
-    map.cells.push_back(random.chance(share) ? 100 : random.chance(0.02) ? -1 : 0);
+    const int value = random.chance(share) ? 100 : random.chance(0.02) ? -1 : 0;
+    map.cells.push_back(static_cast<std::int8_t>(value));
   }
   return map;
 }
@@ -77,14 +78,7 @@ TEST(DistanceField, IsExactAtTheCornersOfCells) {
 TEST(DistanceField, IsSharpInTheMiddleOfPassagesOfAnyNumberOfCells) {
   for (const double resolution_m : {0.02, 0.05, 0.07, 0.1, 0.25}) {
     for (const int free : {3, 4}) {
-      OccupancyMap map;
-      map.resolution_m = resolution_m;
-      map.columns = 20;
-      map.rows = free + 2;
-      map.cells.assign(static_cast<std::size_t>(map.columns * map.rows), 0);
-      std::fill_n(map.cells.begin(), map.columns, 100);
-      std::fill_n(map.cells.end() - map.columns, map.columns, 100);
-      const DistanceField field(map, true);
+      const DistanceField field(passageOf(free, 20, resolution_m), true);
       const double half_m = 0.5 * free * resolution_m;
       for (const double x_m : {7.0, 7.25, 7.5}) {
         EXPECT_NEAR(field.atLeast(x_m * resolution_m, resolution_m + half_m), half_m, 0.005);
@@ -152,7 +146,7 @@ TEST(Obstacles, RefuseAMapThatIsNoneNamingWhatIsWrong) {
   OccupancyMap map = mapOf([](double, double) { return false; }, 1.0);
   map.cells.pop_back();
   try {
-    Obstacles(map, Footprint{}, ObstacleOptions{});
+    const Obstacles obstacles(map, Footprint{}, ObstacleOptions{});
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("399 values instead of 400"), std::string::npos)

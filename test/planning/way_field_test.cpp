@@ -45,8 +45,10 @@ TEST(WayField, GoesAroundTheCornerOfAWall) {
 TEST(WayField, IsNeverLongerThanTheShortestPathWhereItBounds) {
   const WayField::Question question{forASmallDisc(wall), {-2.0, 0.0, 0.0}, {2.0, 0.0, 0.0}};
   const WayField field(question, WayField::Open::kPossibly, 8.0);
-  for (double x = -2.0; x < -0.2; x += 0.1) {
-    for (double y = -2.0; y < 0.5; y += 0.1) {
+  for (int column = -20; column < -2; ++column) {
+    for (int row = -20; row < 5; ++row) {
+      const double x = 0.1 * column;
+      const double y = 0.1 * row;
       // Over the lower corners of the wall, at x = -0.05 m and 0.05 m, as if the disc were a point:
       // shorter than any path of the disc.
       const double shortest = std::hypot(x + 0.05, y + 2.0) + 0.1 + std::hypot(2.0 - 0.05, 2.0);
