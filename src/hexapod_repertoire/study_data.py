@@ -11,7 +11,8 @@ import numpy as np
 
 # The order in which repertoires are told of; others follow by name.
 FIRST_REPERTOIRES = ("br_evolution", "nearest", "orientation", "map_elites")
-LABELS = {"br_evolution": "BR-Evolution", "map_elites": "MAP-Elites"}
+LABELS = {"br_evolution": "BR-Evolution", "map_elites": "MAP-Elites",
+          "cvt_map_elites": "CVT-MAP-Elites"}
 # A run whose generations do not divide the budget may end this share short of it.
 REACHED_SHARE = 0.99
 

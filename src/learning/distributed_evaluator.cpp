@@ -1,5 +1,6 @@
 #include "learning/distributed_evaluator.h"
 
+#include <algorithm>
 #include <exception>
 #include <numeric>
 #include <stdexcept>
@@ -62,7 +63,9 @@ std::vector<Outcome> DistributedEvaluator::lookAgain(int look, const std::vector
 }
 
 std::size_t DistributedEvaluator::endOfPart(std::size_t p, std::size_t batch) const {
-  const auto total = std::accumulate(threads_.begin(), threads_.end(), std::int64_t{0});
+  // This process has a thread at least.
+  const std::int64_t total =
+      std::max<std::int64_t>(1, std::accumulate(threads_.begin(), threads_.end(), std::int64_t{0}));
   const auto until = std::accumulate(
       threads_.begin(), threads_.begin() + static_cast<std::ptrdiff_t>(p) + 1, std::int64_t{0});
   return batch * static_cast<std::size_t>(until) / static_cast<std::size_t>(total);
