@@ -32,6 +32,13 @@ double headingDistance(const Pose2& a, const Pose2& b) {
   return std::abs(wrapAngle(a.yaw_rad - b.yaw_rad));
 }
 
+Eigen::Isometry3d inSpace(const Pose2& pose) {
+  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+  isometry.translation() << pose.x_m, pose.y_m, 0.0;
+  isometry.linear() = Eigen::AngleAxisd(pose.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return isometry;
+}
+
 bool isFinite(const Pose2& pose) {
   return std::isfinite(pose.x_m) && std::isfinite(pose.y_m) && std::isfinite(pose.yaw_rad);
 }

@@ -29,6 +29,9 @@ double distance(const Pose2& a, const Pose2& b);
 /// Smallest angle between the two headings, 0 .. pi [rad].
 double headingDistance(const Pose2& a, const Pose2& b);
 
+/// The pose in space, on the floor and upright.
+Eigen::Isometry3d inSpace(const Pose2& pose);
+
 /// True when all three coordinates are finite.
 bool isFinite(const Pose2& pose);
 

@@ -1,4 +1,4 @@
-// Publishes a stored repertoire: topics repertoire and repertoire_markers, service get_repertoire.
+// Publishes a stored repertoire: topic repertoire, service get_repertoire.
 #include <ros/ros.h>
 
 #include "repertoire/find_repertoire.h"

@@ -3,24 +3,21 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simulation/rollout.h"
+#include "simulation/recording.h"
 
 namespace hexapod {
 namespace {
 
 std::vector<Pose2> basePath(World& world, const Behavior& behavior, double command_period_s,
                             std::size_t commands_between) {
-  const std::size_t steps = stepsPerCommand(command_period_s, world.physics().step_s);
-  world.restart();
-  const Pose2 start_from_world = inverse(footprint(world.worldFromBase()));
+  const Recording recording = record(world, behavior, command_period_s);
+  const Pose2 start_from_world = inverse(recording.world_from_start);
+  const std::size_t count = behavior.commandCount();
   std::vector<Pose2> path;
-  for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
-    world.setTargets(behavior.command(k));
-    for (std::size_t i = 0; i < steps; ++i) {
-      if (world.step() != Verdict::kWalked) return {};
-    }
-    if ((k + 1) % commands_between == 0 || k + 1 == behavior.commandCount()) {
-      path.push_back(start_from_world * footprint(world.worldFromBase()));
+  if (recording.poses.size() < count) return path;
+  for (std::size_t k = 0; k < count; ++k) {
+    if ((k + 1) % commands_between == 0 || k + 1 == count) {
+      path.push_back(start_from_world * footprint(recording.poses[k].world_from_base));
     }
   }
   return path;

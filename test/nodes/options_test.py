@@ -4,7 +4,7 @@ import os
 import subprocess
 import sys
 
-NODES = ("learner", "planner", "executor", "simulated_robot", "repertoire_server")
+NODES = ("learner", "planner", "executor", "simulated_robot", "repertoire_server", "browser")
 INTRODUCTION = """# Options of the nodes
 
 Private parameters of each node, as `<node> --help` prints them. Unknown keys, wrong types and values

@@ -49,13 +49,15 @@ class WalkingSession:
     master: its ROS_MASTER_URI is set, so start it before rospy.
     """
 
-    def __init__(self, real_time_factor=1.0, sim_time=False, settable_clock=False, nodes=NODES):
+    def __init__(self, real_time_factor=1.0, sim_time=False, settable_clock=False, nodes=NODES,
+                 params=None):
         self._folder = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self._folder.name)
         self._port = free_port()
         self.uri = f"http://127.0.0.1:{self._port}"
         self._processes = {}
         self._sim_time, self._factor, self._nodes = sim_time, real_time_factor, nodes
+        self._params = params or {}
         self._clock_file = self.folder / "clock" if settable_clock else None
         if self._clock_file:
             self._clock_file.write_bytes(bytes(8))
@@ -75,9 +77,8 @@ class WalkingSession:
         return self
 
     def __exit__(self, *_):
-        for name in (*NODES, "master"):
-            if name in self._processes:
-                self.kill(name)
+        for name in sorted(self._processes, key=lambda name: name == "master"):
+            self.kill(name)
         self._folder.cleanup()
         os.environ.clear()
         os.environ.update(self._environment)
@@ -114,6 +115,7 @@ class WalkingSession:
             "/planner/robot_config": robot_config,
             "/planner/cmd_vel": True,
             "/planner/cmd_vel_timeout_s": 1.0,
+            **self._params,
         }
         for key, value in values.items():
             self.set_param(key, value)

@@ -27,7 +27,7 @@ STRANGERS = [
     ("ros_interface/executor", {"simulation", "evolution", "evaluation", "learning", "planning"}),
 ]
 # Rooms of ros_interface that every room may use.
-SHARED_ROOMS = {"common", "display"}
+SHARED_ROOMS = {"common", "display", "robot_client"}
 
 
 def cpp_files(station):

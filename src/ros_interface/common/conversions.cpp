@@ -139,6 +139,30 @@ nav_msgs::Path toPathMsg(const std::vector<Pose2>& poses, const std::string& fra
   return path;
 }
 
+geometry_msgs::Quaternion toQuaternionMsg(const Eigen::Quaterniond& rotation) {
+  geometry_msgs::Quaternion message;
+  message.x = rotation.x();
+  message.y = rotation.y();
+  message.z = rotation.z();
+  message.w = rotation.w();
+  return message;
+}
+
+geometry_msgs::TransformStamped toTransformMsg(const Eigen::Isometry3d& parent_from_child,
+                                               const std::string& parent, const std::string& child,
+                                               const ros::Time& stamp) {
+  geometry_msgs::TransformStamped message;
+  message.header.stamp = stamp;
+  message.header.frame_id = parent;
+  message.child_frame_id = child;
+  message.transform.translation.x = parent_from_child.translation().x();
+  message.transform.translation.y = parent_from_child.translation().y();
+  message.transform.translation.z = parent_from_child.translation().z();
+  message.transform.rotation =
+      toQuaternionMsg(Eigen::Quaterniond(parent_from_child.linear()).normalized());
+  return message;
+}
+
 std::optional<Pose2> fromPoseMsg(const geometry_msgs::Pose& message, std::string& problem) {
   const auto& p = message.position;
   const auto& q = message.orientation;

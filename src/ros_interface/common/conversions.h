@@ -2,9 +2,11 @@
 
 #include <geometry_msgs/Pose.h>
 #include <geometry_msgs/Pose2D.h>
+#include <geometry_msgs/TransformStamped.h>
 #include <nav_msgs/Path.h>
 #include <ros/time.h>
 
+#include <Eigen/Geometry>
 #include <optional>
 #include <string>
 #include <vector>
@@ -27,6 +29,11 @@ geometry_msgs::Pose toPoseMsg(const Pose2& pose);
 geometry_msgs::Pose2D toPose2DMsg(const Pose2& pose);
 nav_msgs::Path toPathMsg(const std::vector<Pose2>& poses, const std::string& frame,
                          const ros::Time& stamp);
+
+geometry_msgs::Quaternion toQuaternionMsg(const Eigen::Quaterniond& rotation);
+geometry_msgs::TransformStamped toTransformMsg(const Eigen::Isometry3d& parent_from_child,
+                                               const std::string& parent, const std::string& child,
+                                               const ros::Time& stamp);
 
 /// Largest tilt of a goal out of the plane that is still read as one in the plane [rad].
 constexpr double kMaxGoalTilt = 0.05;

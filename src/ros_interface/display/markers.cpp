@@ -1,13 +1,11 @@
 #include "ros_interface/display/markers.h"
 
-#include <geometry_msgs/Point.h>
-
 #include <algorithm>
 #include <cmath>
 
 #include "geometry/arc.h"
 #include "ros_interface/common/conversions.h"
-#include "ros_interface/common/names.h"
+#include "ros_interface/display/marker_parts.h"
 
 namespace hexapod {
 namespace {
@@ -15,50 +13,33 @@ namespace {
 constexpr double kWorstShown_rad = 10.0 * M_PI / 180.0;
 constexpr double kTickLength = 0.025;
 constexpr double kHeightAboveFloor = 0.005;
+constexpr double kHeightOfTangents = 0.008;
+// An end point is a sphere as flat as a disc.
+constexpr double kDisc_m = 0.014;
+constexpr double kDiscHeight_m = 0.002;
 
-std_msgs::ColorRGBA color(double red, double green, double blue, double alpha = 1.0) {
-  std_msgs::ColorRGBA result;
-  result.r = static_cast<float>(red);
-  result.g = static_cast<float>(green);
-  result.b = static_cast<float>(blue);
-  result.a = static_cast<float>(alpha);
-  return result;
+geometry_msgs::Point onFloor(const Pose2& pose, double height_m = kHeightAboveFloor) {
+  return point(pose.x_m, pose.y_m, height_m);
 }
 
-geometry_msgs::Point point(double x_m, double y_m) {
-  geometry_msgs::Point result;
-  result.x = x_m;
-  result.y = y_m;
-  result.z = kHeightAboveFloor;
-  return result;
+// A part of the line from a pose along a heading: from and to as shares of kTickLength.
+void addTick(visualization_msgs::Marker& lines, const Pose2& pose, double heading_rad,
+             double height_m = kHeightAboveFloor, double from = 0.0, double to = 1.0) {
+  for (const double share : {from, to}) {
+    const double way_m = share * kTickLength;
+    lines.points.push_back(onFloor(
+        {pose.x_m + way_m * std::cos(heading_rad), pose.y_m + way_m * std::sin(heading_rad), 0.0},
+        height_m));
+  }
 }
 
-visualization_msgs::Marker marker(const std::string& frame, const std::string& name, int id,
-                                  int type, double width_m) {
-  visualization_msgs::Marker result;
-  result.header.frame_id = frame;
-  result.ns = name;
-  result.id = id;
-  result.type = type;
-  result.pose.orientation.w = 1.0;
-  result.scale.x = width_m;
-  result.scale.y = width_m;
-  result.color.a = 1.0;
-  return result;
-}
-
-void addTick(visualization_msgs::Marker& lines, const Pose2& pose, double heading_rad) {
-  lines.points.push_back(point(pose.x_m, pose.y_m));
-  lines.points.push_back(point(pose.x_m + kTickLength * std::cos(heading_rad),
-                               pose.y_m + kTickLength * std::sin(heading_rad)));
-}
-
-// A list marker without points, or a line of one, is an error in rviz: ask for its deletion
-// instead.
-visualization_msgs::Marker shown(visualization_msgs::Marker marker) {
-  const std::size_t fewest = marker.type == visualization_msgs::Marker::LINE_STRIP ? 2 : 1;
-  if (marker.points.size() < fewest) marker.action = visualization_msgs::Marker::DELETE;
-  return marker;
+// Dashed, and above the solid line of the heading: where both agree, both are seen.
+void addDashedTick(visualization_msgs::Marker& lines, const Pose2& pose, double heading_rad) {
+  constexpr int kDashes = 3;
+  constexpr double kPitch = 1.0 / kDashes;
+  for (int i = 0; i < kDashes; ++i) {
+    addTick(lines, pose, heading_rad, kHeightOfTangents, (i + 0.4) * kPitch, (i + 1.0) * kPitch);
+  }
 }
 
 visualization_msgs::Marker goalRing(const PlanPicture& picture) {
@@ -68,8 +49,8 @@ visualization_msgs::Marker goalRing(const PlanPicture& picture) {
   constexpr int kCorners = 36;
   for (int i = 0; i <= kCorners; ++i) {
     const double angle = 2.0 * M_PI * i / kCorners;
-    ring.points.push_back(point(picture.goal.x_m + radius * std::cos(angle),
-                                picture.goal.y_m + radius * std::sin(angle)));
+    ring.points.push_back(onFloor({picture.goal.x_m + radius * std::cos(angle),
+                                   picture.goal.y_m + radius * std::sin(angle), 0.0}));
   }
   return ring;
 }
@@ -102,23 +83,24 @@ std_msgs::ColorRGBA errorColor(double orientation_error_rad) {
   return color(mixed(0), mixed(1), mixed(2));
 }
 
-visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire) {
-  const std::string frame = names::kFootprintFrame;
-  auto points = marker(frame, "end_points", 0, visualization_msgs::Marker::POINTS, 0.012);
+visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire,
+                                                  const std::string& frame) {
+  auto discs = marker(frame, "end_points", 0, visualization_msgs::Marker::SPHERE_LIST, kDisc_m);
   auto headings = marker(frame, "headings", 1, visualization_msgs::Marker::LINE_LIST, 0.003);
   auto tangents = marker(frame, "tangents", 2, visualization_msgs::Marker::LINE_LIST, 0.0015);
+  discs.scale.z = kDiscHeight_m;
   headings.color = color(0.1, 0.35, 0.9);
   tangents.color = color(0.1, 0.1, 0.1);
   for (const Entry& entry : repertoire.entries) {
     const Pose2& pose = entry.expectedPose();
-    points.points.push_back(point(pose.x_m, pose.y_m));
-    points.colors.push_back(entry.usable() ? errorColor(orientationError(pose))
-                                           : color(0.5, 0.5, 0.5));
+    discs.points.push_back(onFloor(pose));
+    discs.colors.push_back(entry.usable() ? errorColor(orientationError(pose))
+                                          : color(0.5, 0.5, 0.5));
     addTick(headings, pose, pose.yaw_rad);
-    addTick(tangents, pose, arcThrough(pose.x_m, pose.y_m).heading_rad);
+    addDashedTick(tangents, pose, arcThrough(pose.x_m, pose.y_m).heading_rad);
   }
   visualization_msgs::MarkerArray array;
-  for (auto* list : {&points, &headings, &tangents}) {
+  for (auto* list : {&discs, &headings, &tangents}) {
     list->frame_locked = true;
     array.markers.push_back(shown(*list));
   }
@@ -134,10 +116,10 @@ visualization_msgs::MarkerArray planMarkers(const PlanPicture& picture) {
   stops.color = color(0.1, 0.7, 0.2);
   headings.color = color(0.05, 0.4, 0.1);
   walked.color = color(0.95, 0.6, 0.1);
-  for (const Pose2& pose : picture.path) path.points.push_back(point(pose.x_m, pose.y_m));
-  for (const Pose2& pose : picture.walked) walked.points.push_back(point(pose.x_m, pose.y_m));
+  for (const Pose2& pose : picture.path) path.points.push_back(onFloor(pose));
+  for (const Pose2& pose : picture.walked) walked.points.push_back(onFloor(pose));
   for (const Pose2& pose : picture.stops) {
-    stops.points.push_back(point(pose.x_m, pose.y_m));
+    stops.points.push_back(onFloor(pose));
     addTick(headings, pose, pose.yaw_rad);
   }
   visualization_msgs::MarkerArray array;

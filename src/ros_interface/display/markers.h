@@ -14,11 +14,12 @@ namespace hexapod {
 /// at 10 degrees and above, darker and darker for those who do not see colours.
 std_msgs::ColorRGBA errorColor(double orientation_error_rad);
 
-/// The repertoire in the robot's base_footprint, as figure 3 of the paper: a point per end pose
-/// coloured by orientation error, a line along the final heading, a dark line along the arc's
+/// The repertoire around the origin of a frame, as figure 3 of the paper: a disc per end pose
+/// coloured by orientation error, a line along the final heading, a dashed dark one along the arc's
 /// tangent; entries that may not be used are grey. Three list markers with fixed ids, whatever the
-/// number of entries. They follow the robot while it stands; stamp 0 lets rviz take the latest tf.
-visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire);
+/// number of entries. They follow the frame; stamp 0 lets rviz take the latest tf.
+visualization_msgs::MarkerArray repertoireMarkers(const Repertoire& repertoire,
+                                                  const std::string& frame);
 
 /// What the plan markers show, all in one frame.
 struct PlanPicture {

@@ -1,24 +1,18 @@
 #include "ros_interface/learner/repertoire_publisher.h"
 
-#include <visualization_msgs/MarkerArray.h>
-
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
-#include "ros_interface/display/markers.h"
 
 namespace hexapod {
 
 RepertoirePublisher::RepertoirePublisher(ros::NodeHandle& node)
     : repertoire_publisher_(
           node.advertise<hexapod_repertoire::Repertoire>(names::kRepertoire, 1, true)),
-      marker_publisher_(
-          node.advertise<visualization_msgs::MarkerArray>("repertoire_markers", 1, true)),
       service_(node.advertiseService("get_repertoire", &RepertoirePublisher::answer, this)) {}
 
 void RepertoirePublisher::publish(const Repertoire& repertoire) {
   const auto message = toMsg(repertoire, ros::Time::now());
   repertoire_publisher_.publish(message);
-  marker_publisher_.publish(repertoireMarkers(repertoire));
   const std::lock_guard<std::mutex> lock(mutex_);
   latest_ = message;
   published_ = true;

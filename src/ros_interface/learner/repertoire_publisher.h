@@ -12,8 +12,8 @@
 
 namespace hexapod {
 
-/// Offers a repertoire to everybody: latched topics `repertoire` and `repertoire_markers`, and the
-/// service `get_repertoire`. Callable from any thread.
+/// Offers a repertoire to everybody: the latched topic `repertoire` and the service
+/// `get_repertoire`. Callable from any thread.
 class RepertoirePublisher {
  public:
   explicit RepertoirePublisher(ros::NodeHandle& node);
@@ -26,7 +26,6 @@ class RepertoirePublisher {
               hexapod_repertoire::GetRepertoire::Response& response);
 
   ros::Publisher repertoire_publisher_;
-  ros::Publisher marker_publisher_;
   ros::ServiceServer service_;
   std::mutex mutex_;
   hexapod_repertoire::Repertoire latest_;  // guarded by mutex_

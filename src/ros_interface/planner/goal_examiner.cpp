@@ -169,8 +169,8 @@ void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
   WalkReport& report = examination.report;
   report.code = codeOf(examination.plan.code);
   report.message = examination.plan.message;
-  fillIn(examination.start, examination.plan, means_.options.global_frame, means_.clock.rosNow(),
-         report);
+  fillIn(examination.start, examination.plan, means_.options.pose.global_frame,
+         means_.clock.rosNow(), report);
 }
 
 /// Through all waypoints, or to the first one that has no plan.

@@ -8,9 +8,9 @@
 
 #include "ros_interface/common/clock.h"
 #include "ros_interface/planner/planner_node_options.h"
-#include "ros_interface/planner/pose_source.h"
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/walk_goal.h"
+#include "ros_interface/robot_client/pose_source.h"
 
 namespace hexapod {
 

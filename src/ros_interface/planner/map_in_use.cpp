@@ -94,10 +94,10 @@ void MapInUse::work() {
 
 /// The last known transform stays in use while tf has none.
 std::optional<Pose2> MapInUse::globalFromFrame() const {
-  if (frame_.empty() || frame_ == options_.global_frame) return Pose2{};
+  if (frame_.empty() || frame_ == options_.pose.global_frame) return Pose2{};
   try {
     const geometry_msgs::Transform transform =
-        buffer_.lookupTransform(options_.global_frame, frame_, ros::Time(0)).transform;
+        buffer_.lookupTransform(options_.pose.global_frame, frame_, ros::Time(0)).transform;
     geometry_msgs::Pose pose;
     pose.position.x = transform.translation.x;
     pose.position.y = transform.translation.y;

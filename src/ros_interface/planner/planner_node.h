@@ -17,17 +17,17 @@
 #include "ros_interface/common/clock.h"
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/planner/action_doors.h"
-#include "ros_interface/planner/executor_topics.h"
 #include "ros_interface/planner/map_in_use.h"
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/self_image.h"
 #include "ros_interface/planner/service_doors.h"
 #include "ros_interface/planner/simulated_paths.h"
-#include "ros_interface/planner/tf_pose_source.h"
-#include "ros_interface/planner/transform_ears.h"
 #include "ros_interface/planner/twist_door.h"
 #include "ros_interface/planner/walk_display.h"
 #include "ros_interface/planner/walker.h"
+#include "ros_interface/robot_client/executor_topics.h"
+#include "ros_interface/robot_client/tf_pose_source.h"
+#include "ros_interface/robot_client/transform_ears.h"
 
 namespace hexapod {
 

@@ -9,8 +9,8 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
   all.push_back(option("robot_config", options.robot_config,
                        "Path of the robot's YAML, its URDF is the parameter robot_description: "
                        "only repertoires of this robot are planned with. Empty: any robot's."));
-  all.push_back(option("global_frame", options.global_frame, "Frame of plans, without a slash."));
-  all.push_back(option("base_frame", options.base_frame, "The robot's footprint in tf."));
+  const std::vector<Option> pose = declareOptions(options.pose);
+  all.insert(all.end(), pose.begin(), pose.end());
   all.push_back(
       option("adaptation", options.adaptation,
              "none: walk as if the repertoire were right. self_model: believe in the body "
@@ -22,14 +22,6 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
                        "is one. 0: only planning_time_s limits it, which counts, so that the same "
                        "goal always gives the same plan.",
                        0.0, 3600.0));
-  all.push_back(option("tf_timeout_s", options.tf_timeout_s, "s",
-                       "How long to wait for the transform of a goal.", 0.0, 60.0));
-  all.push_back(option("pose_timeout_s", options.pose_timeout_s, "s",
-                       "A robot pose that has not changed its stamp for so long is lost.", 0.01,
-                       60.0));
-  all.push_back(option("pose_settle_s", options.pose_settle_s, "s",
-                       "The pose is read this long after the last command of a behaviour.", 0.0,
-                       60.0));
   all.push_back(option("cmd_vel", options.cmd_vel,
                        "Walk by velocities on the topic cmd_vel. A new velocity acts when the "
                        "behaviour under way has ended, a zero one at once."));

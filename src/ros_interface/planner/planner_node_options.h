@@ -6,7 +6,7 @@
 #include "common/options.h"
 #include "planning/obstacles.h"
 #include "planning/plan.h"
-#include "ros_interface/common/names.h"
+#include "ros_interface/robot_client/pose_options.h"
 
 namespace hexapod {
 
@@ -20,13 +20,9 @@ struct Adaptation {
 struct PlannerNodeOptions {
   PlannerOptions planner;
   std::string robot_config;  ///< path; empty: any robot's repertoire is planned with
-  std::string global_frame = names::kOdomFrame;
-  std::string base_frame = names::kFootprintFrame;
+  PoseOptions pose;
   std::string adaptation = Adaptation::kSelfModel;  ///< one of Adaptation
   double planning_wall_time_s = 2.0;                ///< 0: as long as it takes
-  double tf_timeout_s = 0.5;
-  double pose_timeout_s = 1.0;
-  double pose_settle_s = 0.15;
   bool cmd_vel = false;
   double cmd_vel_timeout_s = 4.0;
   ObstacleOptions obstacles;

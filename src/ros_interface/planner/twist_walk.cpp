@@ -121,7 +121,7 @@ void TwistWalk::play(const PlannedStep& step) {
   }
   ++report_.steps;
   rest_ = touches ? means_.clock.rosNow() + ros::Duration(WalkMeans::kBrokenOff_s)
-                  : result.finished + ros::Duration(means_.options.pose_settle_s);
+                  : result.finished + ros::Duration(means_.options.pose.pose_settle_s);
 }
 
 void TwistWalk::end(std::uint8_t code, const std::string& message) {

@@ -15,7 +15,7 @@
 #include "planning/planner.h"
 #include "planning/route.h"
 #include "planning/walk.h"
-#include "ros_interface/planner/behavior_player.h"
+#include "ros_interface/robot_client/behavior_player.h"
 
 namespace hexapod {
 

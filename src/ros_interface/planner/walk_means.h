@@ -3,11 +3,11 @@
 #include <functional>
 
 #include "ros_interface/common/clock.h"
-#include "ros_interface/planner/behavior_player.h"
 #include "ros_interface/planner/planner_node_options.h"
-#include "ros_interface/planner/pose_source.h"
 #include "ros_interface/planner/walk_goal.h"
 #include "ros_interface/planner/walk_watcher.h"
+#include "ros_interface/robot_client/behavior_player.h"
+#include "ros_interface/robot_client/pose_source.h"
 
 namespace hexapod {
 

@@ -72,7 +72,7 @@ bool WalkRun::measure() {
 
 void WalkRun::noteWhereRobotIs(const Pose2& robot) {
   seen_ns_ = means_.clock.steadyNow_ns();
-  report_.final_pose.header.frame_id = means_.options.global_frame;
+  report_.final_pose.header.frame_id = means_.options.pose.global_frame;
   report_.final_pose.header.stamp = means_.clock.rosNow();
   report_.final_pose.pose = toPoseMsg(robot);
   report_.final_xy_error_m = distance(robot, goal_.goal().pose);
@@ -114,7 +114,7 @@ std::optional<PlannedStep> WalkRun::plan() {
   means_.watcher.showPlan(robot, decision.plan, walked_, waypoint.world_from_goal,
                           waypoint.tolerance.xy_m);
   WalkReport now;
-  fillIn(robot, decision.plan, means_.options.global_frame, means_.clock.rosNow(), now);
+  fillIn(robot, decision.plan, means_.options.pose.global_frame, means_.clock.rosNow(), now);
   report_.nearest_pose = now.nearest_pose;
   if (report_.steps == 0 && route_.size() == 1) {
     report_.plan = now.plan;
@@ -176,7 +176,7 @@ bool WalkRun::play(const PlannedStep& step) {
     walk_.disregardLastStep();
     played_.reset();
   }
-  rest_ = result.finished + ros::Duration(means_.options.pose_settle_s);
+  rest_ = result.finished + ros::Duration(means_.options.pose.pose_settle_s);
   return true;
 }
 

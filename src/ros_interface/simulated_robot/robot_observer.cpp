@@ -3,39 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
 namespace {
-
-Eigen::Isometry3d inSpace(const Pose2& pose) {
-  Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
-  isometry.translation() << pose.x_m, pose.y_m, 0.0;
-  isometry.linear() = Eigen::AngleAxisd(pose.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return isometry;
-}
-
-geometry_msgs::Quaternion toMsg(const Eigen::Quaterniond& rotation) {
-  geometry_msgs::Quaternion message;
-  message.x = rotation.x();
-  message.y = rotation.y();
-  message.z = rotation.z();
-  message.w = rotation.w();
-  return message;
-}
-
-geometry_msgs::TransformStamped toMsg(const Eigen::Isometry3d& transform, const char* parent,
-                                      const std::string& child, const ros::Time& stamp) {
-  geometry_msgs::TransformStamped message;
-  message.header.stamp = stamp;
-  message.header.frame_id = parent;
-  message.child_frame_id = child;
-  message.transform.translation.x = transform.translation().x();
-  message.transform.translation.y = transform.translation().y();
-  message.transform.translation.z = transform.translation().z();
-  message.transform.rotation = toMsg(Eigen::Quaterniond(transform.linear()).normalized());
-  return message;
-}
 
 // Of twelve uniform numbers: standard deviation 1.
 double normal(Random& random) {
@@ -96,7 +68,7 @@ void RobotObserver::fillOdometry(const Pose2& odom_from_footprint, const ros::Ti
   report_.odometry.header.stamp = stamp;
   report_.odometry.pose.pose.position.x = odom_from_footprint.x_m;
   report_.odometry.pose.pose.position.y = odom_from_footprint.y_m;
-  report_.odometry.pose.pose.orientation = toMsg(
+  report_.odometry.pose.pose.orientation = toQuaternionMsg(
       Eigen::Quaterniond(Eigen::AngleAxisd(odom_from_footprint.yaw_rad, Eigen::Vector3d::UnitZ())));
   report_.odometry.twist.twist = geometry_msgs::Twist();
   if (last_ && stamp > last_->stamp) {
@@ -115,8 +87,8 @@ void RobotObserver::fillTransforms(const Eigen::Isometry3d& world_from_base, con
   const Eigen::Isometry3d odom_from_footprint = inSpace(footprint);
   const Eigen::Isometry3d footprint_from_base = odom_from_footprint.inverse() * world_from_base;
   report_.transforms = {
-      toMsg(odom_from_footprint, names::kOdomFrame, names::kFootprintFrame, stamp),
-      toMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_, stamp)};
+      toTransformMsg(odom_from_footprint, names::kOdomFrame, names::kFootprintFrame, stamp),
+      toTransformMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_, stamp)};
 }
 
 }  // namespace hexapod

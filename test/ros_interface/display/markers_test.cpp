@@ -24,7 +24,7 @@ TEST(RepertoireMarkers, AreThreeListsWhateverTheNumberOfEntries) {
   Repertoire repertoire;
   for (const std::size_t count : {0u, 1u, 500u}) {
     repertoire.entries.assign(count, Entry());
-    const auto array = repertoireMarkers(repertoire);
+    const auto array = repertoireMarkers(repertoire, "odom");
     ASSERT_EQ(array.markers.size(), 3u);
     expectDrawable(array);
     EXPECT_EQ(array.markers[0].points.size(), count);
@@ -35,7 +35,7 @@ TEST(RepertoireMarkers, ShowWhatFellInGrey) {
   Repertoire repertoire;
   repertoire.entries.assign(2, Entry());
   repertoire.entries[1].execution = Execution{{0.1, 0.0, 0.0}, 0.0, 0.0, 8, 3};
-  const auto points = repertoireMarkers(repertoire).markers[0];
+  const auto points = repertoireMarkers(repertoire, "odom").markers[0];
   EXPECT_GT(points.colors[0].g, points.colors[0].r);
   EXPECT_EQ(points.colors[1].r, points.colors[1].g);
   EXPECT_EQ(points.colors[1].g, points.colors[1].b);

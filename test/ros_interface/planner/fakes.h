@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "ros_interface/common/conversions.h"
-#include "ros_interface/planner/behavior_player.h"
-#include "ros_interface/planner/pose_source.h"
 #include "ros_interface/planner/walk_goal.h"
 #include "ros_interface/planner/walk_watcher.h"
+#include "ros_interface/robot_client/behavior_player.h"
+#include "ros_interface/robot_client/pose_source.h"
 
 namespace hexapod {
 

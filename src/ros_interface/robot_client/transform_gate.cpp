@@ -1,4 +1,4 @@
-#include "ros_interface/planner/transform_gate.h"
+#include "ros_interface/robot_client/transform_gate.h"
 
 #include <limits>
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "ros_interface/planner/executor_client.h"
+#include "ros_interface/robot_client/executor_client.h"
 
 namespace hexapod {
 

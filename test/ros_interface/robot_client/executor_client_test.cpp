@@ -1,4 +1,4 @@
-#include "ros_interface/planner/executor_client.h"
+#include "ros_interface/robot_client/executor_client.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ros_interface/planner/tf_pose_source.h"
+#include "ros_interface/robot_client/tf_pose_source.h"
 
 #include <tf2/exceptions.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
@@ -25,8 +25,7 @@ Pose2 planarPose(const geometry_msgs::Transform& transform) {
 
 }  // namespace
 
-TfPoseSource::TfPoseSource(const PlannerNodeOptions& options, const Clock& clock,
-                           tf2::BufferCore& buffer)
+TfPoseSource::TfPoseSource(const PoseOptions& options, const Clock& clock, tf2::BufferCore& buffer)
     : options_(options), clock_(clock), buffer_(buffer) {}
 
 TfPoseSource::Seen TfPoseSource::look() const {

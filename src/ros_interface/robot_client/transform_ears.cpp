@@ -1,4 +1,4 @@
-#include "ros_interface/planner/transform_ears.h"
+#include "ros_interface/robot_client/transform_ears.h"
 
 #include <ros/console.h>
 

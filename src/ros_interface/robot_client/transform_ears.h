@@ -9,7 +9,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include "ros_interface/common/clock.h"
-#include "ros_interface/planner/transform_gate.h"
+#include "ros_interface/robot_client/transform_gate.h"
 
 namespace hexapod {
 

@@ -11,7 +11,7 @@
 #include "hexapod_repertoire/ExecuteBehaviorAction.h"
 #include "hexapod_repertoire/ExecutorState.h"
 #include "ros_interface/common/clock.h"
-#include "ros_interface/planner/behavior_player.h"
+#include "ros_interface/robot_client/behavior_player.h"
 
 namespace hexapod {
 

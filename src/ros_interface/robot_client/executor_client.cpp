@@ -1,9 +1,9 @@
-#include "ros_interface/planner/executor_client.h"
+#include "ros_interface/robot_client/executor_client.h"
 
 #include <cmath>
 #include <utility>
 
-#include "ros_interface/planner/patience.h"
+#include "ros_interface/robot_client/patience.h"
 
 namespace hexapod {
 namespace {

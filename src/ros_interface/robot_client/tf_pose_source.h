@@ -7,8 +7,8 @@
 #include <string>
 
 #include "ros_interface/common/clock.h"
-#include "ros_interface/planner/planner_node_options.h"
-#include "ros_interface/planner/pose_source.h"
+#include "ros_interface/robot_client/pose_options.h"
+#include "ros_interface/robot_client/pose_source.h"
 
 namespace hexapod {
 
@@ -22,7 +22,7 @@ class TfPoseSource : public PoseSource {
  public:
   /// Both must outlive it. Whoever owns it asks for latest() some times a second, so that the pose
   /// is watched: nobody else knows how old a stamp is.
-  TfPoseSource(const PlannerNodeOptions& options, const Clock& clock, tf2::BufferCore& buffer);
+  TfPoseSource(const PoseOptions& options, const Clock& clock, tf2::BufferCore& buffer);
 
   PoseReading latest() const override;
   PoseReading robotPose(const Stop& stop) const override;
@@ -45,7 +45,7 @@ class TfPoseSource : public PoseSource {
   PoseReading readingOf(const Seen& seen) const;
   std::int64_t timeout_ns() const { return secondsToNs(options_.pose_timeout_s); }
 
-  PlannerNodeOptions options_;
+  PoseOptions options_;
   const Clock& clock_;
   tf2::BufferCore& buffer_;
   mutable std::mutex mutex_;

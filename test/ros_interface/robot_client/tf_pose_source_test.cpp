@@ -1,4 +1,4 @@
-#include "ros_interface/planner/tf_pose_source.h"
+#include "ros_interface/robot_client/tf_pose_source.h"
 
 #include <gtest/gtest.h>
 
@@ -52,7 +52,7 @@ class TfPoseSourceTest : public testing::Test {
 
   static constexpr Pose2 kRobot{1.5, -0.5, 2.0};
   const PoseSource::Stop never_ = [] { return false; };
-  PlannerNodeOptions options_;
+  PoseOptions options_;
   FakeClock clock_;
   tf2::BufferCore buffer_{ros::Duration(10.0)};
   TfPoseSource poses_{options_, clock_, buffer_};

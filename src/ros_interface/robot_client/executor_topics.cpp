@@ -1,4 +1,4 @@
-#include "ros_interface/planner/executor_topics.h"
+#include "ros_interface/robot_client/executor_topics.h"
 
 #include <ros/this_node.h>
 

@@ -1,4 +1,4 @@
-#include "ros_interface/planner/patience.h"
+#include "ros_interface/robot_client/patience.h"
 
 #include <gtest/gtest.h>
 

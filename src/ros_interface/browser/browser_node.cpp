@@ -1,0 +1,162 @@
+#include "ros_interface/browser/browser_node.h"
+
+#include <ros/callback_queue.h>
+#include <ros/console.h>
+
+#include <exception>
+#include <utility>
+
+#include "hexapod_repertoire/StepReport.h"
+#include "ros_interface/browser/entry_choice.h"
+#include "ros_interface/common/conversions.h"
+#include "ros_interface/common/names.h"
+#include "ros_interface/display/entry_markers.h"
+#include "ros_interface/display/markers.h"
+#include "ros_interface/display/scene_markers.h"
+
+namespace hexapod {
+namespace {
+
+constexpr char kOriginFrame[] = "repertoire_origin";
+constexpr char kHandleTopic[] = "repertoire_handles";
+constexpr double kPoll_s = 0.05;
+constexpr double kHistory_s = 10.0;
+// A click so far from every end means none of them.
+constexpr double kClickReach_m = 0.05;
+// A robot that stands sways by less than this.
+constexpr double kMoved_m = 0.002;
+constexpr double kMoved_rad = 0.01;
+
+}  // namespace
+
+BrowserNode::BrowserNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
+                         const BrowserOptions& options, const RobotDescription& robot)
+    : options_(options),
+      robot_(robot),
+      buffer_(ros::Duration(kHistory_s)),
+      ears_(clock_, buffer_),
+      poses_(options_.pose, clock_, buffer_),
+      marker_publisher_(
+          node.advertise<visualization_msgs::MarkerArray>("repertoire_markers", 1, true)),
+      entry_publisher_(node.advertise<visualization_msgs::MarkerArray>("entry_markers", 1, true)),
+      step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)),
+      handle_(
+          kHandleTopic, kOriginFrame, buffer_,
+          [this](ArchiveHandle::Wish wish, double x_m, double y_m) { onClick(wish, x_m, y_m); }) {
+  standAt({});
+  if (options_.player == Player::kRobot) {
+    makeRobotPlayer(node);
+  } else {
+    model_ = std::make_unique<ModelPlayer>(
+        node, robot_, clock_,
+        ModelPlayer::Frames{options_.pose.global_frame, options_.pose.base_frame});
+  }
+  repertoire_subscriber_ = node.subscribe(names::kRepertoire, 1, &BrowserNode::receive, this);
+}
+
+void BrowserNode::makeRobotPlayer(ros::NodeHandle& node) {
+  executor_ = std::make_unique<ExecutorTopics>(node, clock_);
+  const ros::Duration settle(options_.pose.pose_settle_s);
+  player_ =
+      std::make_unique<RobotPlayer>(executor_->client(), poses_, settle,
+                                    [this](const RobotPlayer::Report& report) { tell(report); });
+  state_subscriber_ = node.subscribe(names::kExecutorState, 10, &BrowserNode::receiveState, this);
+}
+
+void BrowserNode::run(const std::atomic<bool>& leave) {
+  while (!leave && ros::ok()) {
+    ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
+    if (player_) followRobot();
+  }
+}
+
+void BrowserNode::receiveState(const hexapod_repertoire::ExecutorState::ConstPtr& state) {
+  using State = hexapod_repertoire::ExecutorState;
+  moving_ = state->state == State::WALKING || state->state == State::HOLDING;
+}
+
+/// The archive goes where the robot has come to rest.
+void BrowserNode::followRobot() {
+  const PoseReading reading = poses_.latest();
+  if (moving_ || player_->isPlaying() || !reading.pose) return;
+  const bool has_moved = distance(origin_, *reading.pose) > kMoved_m ||
+                         headingDistance(origin_, *reading.pose) > kMoved_rad;
+  if (has_moved) standAt(*reading.pose);
+}
+
+void BrowserNode::standAt(const Pose2& pose) {
+  origin_ = pose;
+  origin_broadcaster_.sendTransform(
+      toTransformMsg(inSpace(pose), options_.pose.global_frame, kOriginFrame, clock_.rosNow()));
+}
+
+void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& message) {
+  try {
+    repertoire_ = fromMsg(*message);
+    learned_ = learnedWorldOf(repertoire_);
+  } catch (const std::exception& error) {
+    ROS_ERROR_STREAM("The repertoire cannot be shown: " << error.what());
+    return;
+  }
+  visualization_msgs::MarkerArray array = repertoireMarkers(repertoire_, kOriginFrame);
+  const auto scene = sceneMarkers(robot_, repertoire_, kOriginFrame);
+  array.markers.insert(array.markers.end(), scene.markers.begin(), scene.markers.end());
+  marker_publisher_.publish(array);
+  handle_.show(repertoire_);
+  const auto best = bestEntry(repertoire_.entries);
+  if (!model_ || !options_.play_best || clicked_ || !best) return;
+  const Entry& entry = repertoire_.entries[*best];
+  if (best_ == entry.id) return;
+  best_ = entry.id;
+  show(entry, origin_, {}, playOnModel(entry));
+}
+
+void BrowserNode::onClick(ArchiveHandle::Wish wish, double x_m, double y_m) {
+  const auto found = entryNear(repertoire_.entries, x_m, y_m, kClickReach_m);
+  if (!found) return;
+  clicked_ = true;
+  const Entry& entry = repertoire_.entries[*found];
+  std::string remark;
+  if (wish == ArchiveHandle::Wish::kPlay) {
+    remark = model_ ? playOnModel(entry) : player_->play(repertoire_.run_id, entry);
+  }
+  if (!remark.empty()) ROS_WARN_STREAM("Entry " << entry.id << " is not played: " << remark);
+  show(entry, origin_, {}, remark);
+}
+
+/// Empty, or why not.
+std::string BrowserNode::playOnModel(const Entry& entry) {
+  if (repertoire_.robot_id != robot_.digest) {
+    return "The repertoire was learned for another robot than that of robot_config.";
+  }
+  model_->play(*learned_, entry.genome);
+  return "";
+}
+
+void BrowserNode::tell(const RobotPlayer::Report& report) {
+  if (!report.problem.empty()) {
+    ROS_WARN_STREAM("Entry " << report.entry.id << ": " << report.problem);
+  }
+  show(report.entry, report.start.value_or(Pose2()), report.reached, report.problem);
+  if (!report.start || !report.reached) return;
+  const Pose2 predicted = *report.start * report.entry.expectedPose();
+  hexapod_repertoire::StepReport step;
+  step.header.frame_id = options_.pose.global_frame;
+  step.header.stamp = clock_.rosNow();
+  step.step = ++steps_;
+  step.entry_id = report.entry.id;
+  step.start = toPose2DMsg(*report.start);
+  step.predicted = toPose2DMsg(predicted);
+  step.measured = toPose2DMsg(*report.reached);
+  step.xy_error_m = distance(predicted, *report.reached);
+  step.yaw_error_rad = headingDistance(predicted, *report.reached);
+  step_publisher_.publish(step);
+}
+
+void BrowserNode::show(const Entry& entry, const Pose2& start, const std::optional<Pose2>& reached,
+                       const std::string& remark) {
+  entry_publisher_.publish(entryMarkers(
+      {options_.pose.global_frame, start, entry, reached, remark, roomBeside_m(robot_)}));
+}
+
+}  // namespace hexapod

@@ -1,0 +1,110 @@
+#include "ros_interface/display/entry_markers.h"
+
+#include <cmath>
+#include <utility>
+
+#include "common/text.h"
+#include "geometry/arc.h"
+#include "ros_interface/common/conversions.h"
+#include "ros_interface/display/marker_parts.h"
+
+namespace hexapod {
+namespace {
+
+using visualization_msgs::Marker;
+
+constexpr double kHeight_m = 0.012;
+constexpr double kTextHeight_m = 0.03;
+constexpr double kRing_m = 0.025;
+constexpr double kHeading_m = 0.08;
+
+std::string inDegrees(double angle_rad, int decimals) {
+  return fixedText(angle_rad * 180.0 / M_PI, decimals) + " deg";
+}
+
+std::string inWords(const Pose2& pose) {
+  return "(" + fixedText(pose.x_m, 3) + " m, " + fixedText(pose.y_m, 3) + " m, " +
+         inDegrees(pose.yaw_rad, 1) + ")";
+}
+
+Marker arcOf(const EntryPicture& picture) {
+  constexpr int kParts = 40;
+  Marker line = marker(picture.frame, "entry", 0, Marker::LINE_STRIP, 0.006);
+  line.color = color(0.85, 0.33, 0.1);
+  const Pose2& end = picture.entry.expectedPose();
+  const Arc arc = arcThrough(end.x_m, end.y_m);
+  for (int i = 0; i <= kParts; ++i) {
+    const Pose2 pose = picture.start * arc.at(static_cast<double>(i) / kParts);
+    line.points.push_back(point(pose.x_m, pose.y_m, kHeight_m));
+  }
+  return line;
+}
+
+Marker ringAround(const Pose2& pose, const std::string& frame) {
+  constexpr int kCorners = 24;
+  Marker ring = marker(frame, "entry", 1, Marker::LINE_STRIP, 0.006);
+  ring.color = color(0.85, 0.33, 0.1);
+  for (int i = 0; i <= kCorners; ++i) {
+    const double angle = 2.0 * M_PI * i / kCorners;
+    ring.points.push_back(point(pose.x_m + kRing_m * std::cos(angle),
+                                pose.y_m + kRing_m * std::sin(angle), kHeight_m));
+  }
+  return ring;
+}
+
+Marker headingOf(const Pose2& pose, const std::string& frame, int id,
+                 const std_msgs::ColorRGBA& tint) {
+  Marker arrow = marker(frame, "entry", id, Marker::ARROW, kHeading_m);
+  arrow.scale.y = arrow.scale.z = 0.01;
+  arrow.pose = toPoseMsg(pose);
+  arrow.pose.position.z = kHeight_m;
+  arrow.color = tint;
+  return arrow;
+}
+
+std::string difference(const Pose2& expected, const Pose2& reached) {
+  return "reached: " + fixedText(100.0 * distance(expected, reached), 1) + " cm and " +
+         inDegrees(headingDistance(expected, reached), 1) + " from there";
+}
+
+}  // namespace
+
+std::string describe(const Entry& entry) {
+  const Pose2& pose = entry.expectedPose();
+  std::string text = "entry " + std::to_string(entry.id) + "\nends at " + inWords(pose) +
+                     "\norientation error " + inDegrees(orientationError(pose), 1);
+  if (!entry.execution) return text + ", not validated";
+  const Execution& execution = *entry.execution;
+  text += "\nspread " + fixedText(100.0 * execution.spread_m, 1) + " cm and " +
+          inDegrees(execution.spread_rad, 1) + " over " + std::to_string(execution.trials) +
+          " trials";
+  if (execution.falls > 0) {
+    text += "\nnot used: " + std::to_string(execution.falls) + " of them failed";
+  }
+  return text;
+}
+
+visualization_msgs::MarkerArray entryMarkers(const EntryPicture& picture) {
+  const Pose2 expected = picture.start * picture.entry.expectedPose();
+  visualization_msgs::MarkerArray array;
+  array.markers = {arcOf(picture), ringAround(expected, picture.frame),
+                   headingOf(expected, picture.frame, 2, color(0.85, 0.33, 0.1))};
+  std::string text = describe(picture.entry);
+  Marker reached = marker(picture.frame, "entry", 3, Marker::ARROW, kHeading_m);
+  if (picture.reached) {
+    reached = headingOf(*picture.reached, picture.frame, 3, color(0.1, 0.1, 0.1));
+    text += "\n" + difference(expected, *picture.reached);
+  } else {
+    reached.action = Marker::DELETE;
+  }
+  if (!picture.remark.empty()) text += "\n" + picture.remark;
+  Marker words = textMarker(picture.frame, "entry", 4, text, kTextHeight_m);
+  // Beside the robot and its repertoire, where nothing else is.
+  const Pose2 place = picture.start * Pose2{0.0, picture.beside_m, 0.0};
+  words.pose.position = point(place.x_m, place.y_m, 0.1);
+  array.markers.push_back(reached);
+  array.markers.push_back(words);
+  return array;
+}
+
+}  // namespace hexapod

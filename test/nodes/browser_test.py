@@ -1,0 +1,112 @@
+"""What is clicked in rviz is played: the right entry, and to where it was predicted."""
+import pathlib
+import random
+
+import pytest
+
+rospy = pytest.importorskip("rospy")
+# pylint: disable=wrong-import-position
+from hexapod_repertoire.msg import ExecutorState, Repertoire, StepReport
+from sensor_msgs.msg import JointState
+from visualization_msgs.msg import (InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray)
+
+from walking_session import ROOT, WalkingSession, wait_for
+
+CLICKS = 20
+WALL_TIMEOUT_S = 30.0
+
+
+@pytest.fixture(scope="module", name="session")
+def start_session():
+    nodes = ("repertoire_server", "simulated_robot", "executor", "browser")
+    with WalkingSession(real_time_factor=4.0, sim_time=True, nodes=nodes,
+                        params={"/browser/robot_config": str(ROOT / "config/hexapod.yaml"),
+                                "/browser/player": "robot"}) as session:
+        rospy.init_node("browser_test", disable_signals=True)
+        yield session
+
+
+class Ear:
+    """The messages of a topic."""
+
+    def __init__(self, topic, message_type):
+        self.messages = []
+        self._subscriber = rospy.Subscriber(topic, message_type, self.messages.append,
+                                            queue_size=100)
+
+    def wait(self, condition, what):
+        return wait_for(lambda: next((m for m in self.messages if condition(m)), None),
+                        WALL_TIMEOUT_S, what)
+
+
+def click(publisher, place, event=InteractiveMarkerFeedback.BUTTON_CLICK, menu_entry=0):
+    feedback = InteractiveMarkerFeedback(
+        client_id="test", marker_name="repertoire", control_name="repertoire", event_type=event,
+        menu_entry_id=menu_entry, mouse_point_valid=True)
+    feedback.header.frame_id = "repertoire_origin"
+    feedback.mouse_point.x, feedback.mouse_point.y = place
+    publisher.publish(feedback)
+
+
+def expected(entry):
+    return entry.executed_pose if entry.trials else entry.end_pose
+
+
+@pytest.fixture(scope="module", name="clicks")
+def clicks_publisher(session):
+    publisher = rospy.Publisher("repertoire_handles/feedback", InteractiveMarkerFeedback,
+                                queue_size=10)
+    wait_for(publisher.get_num_connections, WALL_TIMEOUT_S, "the browser")
+    state = Ear("executor/state", ExecutorState)
+    state.wait(lambda s: s.state == ExecutorState.READY, "an executor that is ready")
+    return publisher
+
+
+def repertoire_of(session):
+    return Ear("repertoire", Repertoire).wait(lambda _: True, "the repertoire").entries
+
+
+def test_everything_is_drawn_and_can_be_clicked(session):
+    entries = repertoire_of(session)
+    handles = Ear("repertoire_handles/update_full", InteractiveMarkerInit).wait(
+        lambda m: m.markers, "something to click")
+    control = handles.markers[0].controls[0]
+    assert len(control.markers[0].points) == len(entries)
+    assert [entry.title for entry in handles.markers[0].menu_entries] == ["Play it", "Look at it"]
+    drawn = Ear("repertoire_markers", MarkerArray).wait(lambda m: m.markers, "markers")
+    assert len(drawn.markers[0].points) == len(entries)
+    assert {"robot_outline", "region_of_interest", "legend", "figures"} <= {
+        marker.ns for marker in drawn.markers}
+
+
+def test_looking_moves_nothing(session, clicks):
+    commands = Ear("executor/state", ExecutorState)
+    words = Ear("entry_markers", MarkerArray)
+    entry = repertoire_of(session)[0]
+    click(clicks, (expected(entry).x, expected(entry).y), InteractiveMarkerFeedback.MENU_SELECT, 2)
+    words.wait(lambda array: any(f"entry {entry.id}\n" in marker.text for marker in array.markers),
+               "the entry in words")
+    assert ExecutorState.WALKING not in {state.state for state in commands.messages}
+
+
+def test_the_entry_that_was_clicked_is_executed_and_ends_as_predicted(session, clicks):
+    reports = Ear("browser/step_report", StepReport)
+    # What scatters more than this in validation is no promise.
+    steady = [entry for entry in repertoire_of(session)
+              if entry.falls == 0 and entry.spread_m < 0.004]
+    for number, entry in enumerate(random.Random(1).sample(steady, CLICKS), start=1):
+        click(clicks, (expected(entry).x + 0.002, expected(entry).y - 0.002))
+        report = reports.wait(lambda r, n=number: r.step == n, f"the end of behaviour {number}")
+        assert report.entry_id == entry.id
+        assert report.xy_error_m < 0.01, f"{number}: entry {entry.id}, spread {entry.spread_m}"
+
+
+def test_a_click_beside_everything_plays_nothing(session, clicks):
+    words = Ear("entry_markers", MarkerArray)
+    words.wait(lambda _: True, "the latched markers")
+    before = len(words.messages)
+    click(clicks, (5.0, 5.0))
+    entry = repertoire_of(session)[1]
+    click(clicks, (expected(entry).x, expected(entry).y), InteractiveMarkerFeedback.MENU_SELECT, 2)
+    wait_for(lambda: len(words.messages) > before, WALL_TIMEOUT_S, "the answer to the later click")
+    assert any(f"entry {entry.id}\n" in marker.text for marker in words.messages[before].markers)

@@ -1,0 +1,43 @@
+#include "ros_interface/browser/entry_choice.h"
+
+#include <gtest/gtest.h>
+
+namespace hexapod {
+namespace {
+
+Entry entryTo(std::int64_t id, const Pose2& end) {
+  Entry entry;
+  entry.id = id;
+  entry.end_pose = end;
+  return entry;
+}
+
+TEST(EntryNear, FindsTheExpectedEndThatIsNearest) {
+  std::vector<Entry> entries = {entryTo(1, {0.3, 0.0, 0.0}), entryTo(2, {0.3, 0.1, 0.0}),
+                                entryTo(3, {-0.3, 0.0, 0.0})};
+  EXPECT_EQ(entryNear(entries, 0.31, 0.06, 0.05), 1u);
+  // Where it was executed counts, not where it was learned.
+  entries[2].execution = Execution{{0.31, 0.06, 0.0}, 0.0, 0.0, 5, 0};
+  EXPECT_EQ(entryNear(entries, 0.31, 0.06, 0.05), 2u);
+}
+
+TEST(EntryNear, FindsNoneBeyondTheReachOfAClick) {
+  EXPECT_FALSE(entryNear({entryTo(1, {0.3, 0.0, 0.0})}, 0.4, 0.0, 0.05));
+  EXPECT_FALSE(entryNear({}, 0.0, 0.0, 0.05));
+}
+
+TEST(BestEntry, IsTheFarthestInFrontOfTheBetterAlignedHalf) {
+  const std::vector<Entry> entries = {entryTo(1, {-0.7, 0.0, 0.0}), entryTo(2, {0.4, 0.0, 0.01}),
+                                      entryTo(3, {0.6, 0.0, 0.5}), entryTo(4, {0.3, 0.0, 0.9})};
+  EXPECT_EQ(bestEntry(entries), 1u);
+}
+
+TEST(BestEntry, IsNoneThatFellInItsValidation) {
+  Entry fallen = entryTo(1, {0.4, 0.0, 0.0});
+  fallen.execution = Execution{{0.4, 0.0, 0.0}, 0.0, 0.0, 5, 1};
+  EXPECT_FALSE(bestEntry({fallen}));
+  EXPECT_EQ(bestEntry({fallen, entryTo(2, {0.1, 0.0, 0.0})}), 1u);
+}
+
+}  // namespace
+}  // namespace hexapod
