@@ -55,20 +55,21 @@ class Latest:
             return self._message
 
 
-class Walker:
-    """The planner's action walk_to, one goal at a time."""
+class Asker:
+    """An action of this package, one goal at a time."""
 
-    def __init__(self) -> None:
-        self._client = actionlib.ActionClient("walk_to", WalkToAction)
+    def __init__(self, name: str, action_type: Any, server: str) -> None:
+        self._server = server
+        self._client = actionlib.ActionClient(name, action_type)
         self._handle: Any = None
-        self._status = Latest("walk_to/status", GoalStatusArray)
+        self._status = Latest(name + "/status", GoalStatusArray)
         # A goal that is sent before all topics are connected is lost.
         end_s = time.monotonic() + ACTION_PATIENCE_S
         while not self._is_connected():
             if rospy.is_shutdown():
                 raise rospy.ROSInterruptException("The session ended.")
             if time.monotonic() > end_s:
-                raise Silence("No planner answers on the action walk_to; start it.")
+                raise Silence(f"No {server} answers on the action {name}; start it.")
             time.sleep(STEP_S)
 
     def _is_connected(self) -> bool:
@@ -76,8 +77,8 @@ class Walker:
         topics = (client.pub_goal, client.pub_cancel, client.status_sub, client.result_sub)
         return all(topic.get_num_connections() > 0 for topic in topics)
 
-    def walk(self, goal: WalkToGoal) -> WalkToResult:
-        """Sends the goal and waits for its end; Silence when the planner falls silent."""
+    def ask(self, goal: Any) -> Any:
+        """Sends the goal and waits for its result; Silence when the server falls silent."""
         ended = threading.Event()
 
         def on_change(handle: Any) -> None:
@@ -90,16 +91,29 @@ class Walker:
             if rospy.is_shutdown():
                 raise rospy.ROSInterruptException("The session ended.")
             if self._status.silent_s() > ACTION_PATIENCE_S:
-                raise Silence("The planner fell silent in the middle of a walk; see its log.")
+                raise Silence(f"The {self._server} fell silent in the middle of a goal; see its "
+                              "log.")
             unheard = handle.get_comm_state() == actionlib.CommState.WAITING_FOR_GOAL_ACK
             if unheard and time.monotonic() - sent_s > ACTION_PATIENCE_S:
-                raise Silence("The planner says nothing of the goal it was sent; see its log.")
+                raise Silence(f"The {self._server} says nothing of the goal it was sent; see its "
+                              "log.")
         result = handle.get_result()
         if result is None:
-            raise Silence("The planner forgot the goal it was sent: it was started anew.")
+            raise Silence(f"The {self._server} forgot the goal it was sent: it was started anew.")
         return result
 
     def cancel(self) -> None:
         """Cancels the goal sent last, if any."""
         if self._handle is not None:
             self._handle.cancel()
+
+
+class Walker(Asker):
+    """The planner's action walk_to."""
+
+    def __init__(self) -> None:
+        super().__init__("walk_to", WalkToAction, "planner")
+
+    def walk(self, goal: WalkToGoal) -> WalkToResult:
+        """Walks there; Silence when the planner falls silent."""
+        return self.ask(goal)

@@ -179,9 +179,9 @@ RandomGaitsCheck checkRandomGaits(const RobotDescription& robot, int gaits) {
   return check;
 }
 
-std::string footWay(const Leg& leg) {
+std::string footWay(const Leg& leg, Signal signal) {
   const LegModel model(leg);
-  const auto footAt = [&](Signal signal, double gamma) {
+  const auto footAt = [&](double gamma) {
     std::vector<double> angles_rad;
     for (const Segment& segment : leg.segments) {
       const Joint& joint = segment.joint;
@@ -190,14 +190,13 @@ std::string footWay(const Leg& leg) {
     }
     return model.at(angles_rad).foot_m;
   };
-  const Eigen::Vector3d neutral = footAt(Signal::kFirst, 0.0);
-  std::string line = leg.name + ":";
-  for (const Signal signal : {Signal::kFirst, Signal::kSecond}) {
-    line += signal == Signal::kFirst ? " signal 1 " : ", signal 2 ";
-    line += centimetres(footAt(signal, -1.0) - neutral) + " .. " +
-            centimetres(footAt(signal, 1.0) - neutral);
-  }
-  return line;
+  const Eigen::Vector3d neutral = footAt(0.0);
+  return centimetres(footAt(-1.0) - neutral) + " .. " + centimetres(footAt(1.0) - neutral);
+}
+
+std::string footWay(const Leg& leg) {
+  return leg.name + ": signal 1 " + footWay(leg, Signal::kFirst) + ", signal 2 " +
+         footWay(leg, Signal::kSecond);
 }
 
 }  // namespace hexapod

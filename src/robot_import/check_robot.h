@@ -39,8 +39,11 @@ StandingCheck checkStanding(const RobotDescription& robot);
 /// stand.
 RandomGaitsCheck checkRandomGaits(const RobotDescription& robot, int gaits);
 
-/// One line: where the leg's foot goes from its neutral place for each signal at -1 and 1, in cm
-/// forward, left and up.
+/// Where the foot goes from its neutral place for a signal at -1 and at 1: "(-5.9 +0.0 +0.0) ..
+/// (+5.9 +0.0 +0.0)", cm forward, left and up.
+std::string footWay(const Leg& leg, Signal signal);
+
+/// That of both signals, in a line.
 std::string footWay(const Leg& leg);
 
 }  // namespace hexapod

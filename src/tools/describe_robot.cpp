@@ -1,0 +1,56 @@
+// Prints a robot as URDF and YAML describe it, as YAML: its name and id, and per leg the joints with
+// their part in the gait and where the foot goes for each signal.
+#include <yaml-cpp/yaml.h>
+
+#include <exception>
+#include <iostream>
+
+#include "robot/load_robot.h"
+#include "robot_import/check_robot.h"
+
+namespace hexapod {
+namespace {
+
+void emitJoint(YAML::Emitter& yaml, const Joint& joint) {
+  yaml << YAML::BeginMap << YAML::Key << "name" << YAML::Value << joint.name;
+  yaml << YAML::Key << "signal" << YAML::Value << static_cast<int>(joint.signal);
+  yaml << YAML::Key << "neutral_rad" << YAML::Value << joint.neutral_rad;
+  yaml << YAML::Key << "amplitude_rad" << YAML::Value << joint.amplitude_rad << YAML::EndMap;
+}
+
+void emitLeg(YAML::Emitter& yaml, const Leg& leg) {
+  yaml << YAML::BeginMap << YAML::Key << "name" << YAML::Value << leg.name;
+  yaml << YAML::Key << "foot" << YAML::Value << YAML::BeginSeq << footWay(leg, Signal::kFirst)
+       << footWay(leg, Signal::kSecond) << YAML::EndSeq;
+  yaml << YAML::Key << "joints" << YAML::Value << YAML::BeginSeq;
+  for (const Segment& segment : leg.segments) emitJoint(yaml, segment.joint);
+  yaml << YAML::EndSeq << YAML::EndMap;
+}
+
+std::string describe(const RobotDescription& robot) {
+  YAML::Emitter yaml;
+  yaml.SetStringFormat(YAML::DoubleQuoted);
+  yaml << YAML::BeginMap << YAML::Key << "name" << YAML::Value << robot.name;
+  yaml << YAML::Key << "id" << YAML::Value << robot.digest;
+  yaml << YAML::Key << "legs" << YAML::Value << YAML::BeginSeq;
+  for (const Leg& leg : robot.legs) emitLeg(yaml, leg);
+  yaml << YAML::EndSeq << YAML::EndMap;
+  return yaml.c_str();
+}
+
+}  // namespace
+}  // namespace hexapod
+
+int main(int argc, char** argv) {
+  if (argc != 3) {
+    std::cerr << "usage: describe_robot ROBOT.urdf ROBOT.yaml\n";
+    return 2;
+  }
+  try {
+    std::cout << hexapod::describe(hexapod::loadRobot(argv[1], argv[2])) << "\n";
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << "\n";
+    return 1;
+  }
+  return 0;
+}
