@@ -1,5 +1,7 @@
 #include "planning/adaptive_planner.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "planning/deviation.h"
@@ -9,11 +11,31 @@ namespace {
 
 // Below this a drift is not worth a second search [m].
 constexpr double kNoDrift_m = 0.001;
-// Searches until the number of behaviours agrees with the drift it was sought with.
+// With a drift so many behaviours fewer and more than on a level floor are tried.
+constexpr std::size_t kFewerTried = 2;
+constexpr std::size_t kMoreTried = 2;
+// Searches until a chain leads where it promised.
 constexpr int kMostSearches = 4;
+// A chain that misses its target by so much of the tolerance will do.
+constexpr double kSurelyThere = 0.7;
 
 Pose2 shifted(const Pose2& pose, const Eigen::Vector2d& by_m) {
   return {pose.x_m + by_m.x(), pose.y_m + by_m.y(), pose.yaw_rad};
+}
+
+// Coordinate by coordinate.
+Pose2 sum(const Pose2& a, const Pose2& b) {
+  return {a.x_m + b.x_m, a.y_m + b.y_m, wrapAngle(a.yaw_rad + b.yaw_rad)};
+}
+
+Pose2 difference(const Pose2& a, const Pose2& b) {
+  return {a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.yaw_rad - b.yaw_rad)};
+}
+
+// By how much a plan misses its target, as a share of the tolerance.
+double shareMissed(const PlanResult& plan, const GoalTolerance& tolerance) {
+  const double turned = tolerance.anyHeading() ? 0.0 : plan.heading_rad / tolerance.yaw_rad;
+  return std::max(plan.distance_m / tolerance.xy_m, turned);
 }
 
 // The chain as it will be walked: every behaviour adds its drift.
@@ -60,26 +82,74 @@ std::shared_ptr<const Planner> AdaptivePlanner::planner() const {
   return planner_;
 }
 
-PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
-  const std::shared_ptr<const Planner> planner = this->planner();
-  PlanResult result = planner->plan(request);
+PlanResult AdaptivePlanner::planDrifting(const Planner& planner, const PlanRequest& request) const {
+  PlanResult result = planner.plan(request);
   const Eigen::Vector2d drift_m =
       foresight_ ? foresight_->drift_m() : Eigen::Vector2d(Eigen::Vector2d::Zero());
   if (drift_m.norm() < kNoDrift_m) return result;
-  for (int search = 0; search < kMostSearches && result.code == PlanCode::kFound; ++search) {
-    const std::size_t behaviors = result.steps.size();
+  if (result.code != PlanCode::kFound) return result;
+  // The fewest behaviours that lead to the goal less as many drifts: not only the first number that
+  // agrees, for between its behaviours a chain that is never finished drifts on for ever.
+  const std::size_t level = result.steps.size();
+  const std::size_t first = level > kFewerTried ? level - kFewerTried : 1;
+  for (std::size_t behaviors = first; behaviors <= level + kMoreTried; ++behaviors) {
     PlanRequest drifting = request;
     drifting.world_from_goal =
         shifted(request.world_from_goal, -static_cast<double>(behaviors) * drift_m);
-    PlanResult found = planner->plan(drifting);
+    PlanResult found = planner.plan(drifting);
     found.effort += result.effort;
+    result.effort = found.effort;
     // The goal less its drift is where the robot stands: the chain found before is the better one.
-    if (found.code == PlanCode::kAlreadyThere) break;
+    if (found.code != PlanCode::kFound) continue;
     result = std::move(found);
-    if (result.steps.size() == behaviors) break;
+    if (result.steps.size() <= behaviors) break;
   }
   addDrift(drift_m, result);
   return result;
+}
+
+/// Puts the poses that its chain leads to into a plan; false when they are not known.
+bool AdaptivePlanner::follow(const PlanRequest& request, PlanResult& result) const {
+  if (!foresight_ || result.code != PlanCode::kFound) return false;
+  std::vector<Entry> chain;
+  for (const PlannedStep& step : result.steps) chain.push_back(repertoire_->entries[step.entry]);
+  const std::vector<Pose2> poses = foresight_->follow(request.world_from_start, chain);
+  if (poses.size() != chain.size()) return false;
+  for (std::size_t i = 0; i < poses.size(); ++i) result.steps[i].world_from_end = poses[i];
+  result.world_from_end = poses.back();
+  return true;
+}
+
+PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
+  const std::shared_ptr<const Planner> planner = this->planner();
+  PlanRequest corrected = request;
+  PlanResult best;
+  double least = std::numeric_limits<double>::infinity(), effort = 0.0;
+  for (int search = 0; search < kMostSearches; ++search) {
+    PlanResult found = planDrifting(*planner, corrected);
+    effort += found.effort;
+    const Pose2 promised = found.world_from_end;
+    if (!follow(request, found)) {
+      if (search == 0) return found;
+      break;
+    }
+    // What was planned to is where the corrected goal is from the goal.
+    found.world_from_target = sum(found.world_from_target,
+                                  difference(request.world_from_goal, corrected.world_from_goal));
+    found.distance_m = distance(found.world_from_end, found.world_from_target);
+    found.heading_rad = headingDistance(found.world_from_end, found.world_from_target);
+    corrected.world_from_goal =
+        difference(request.world_from_goal, difference(found.world_from_end, promised));
+    const double missed = shareMissed(found, request.tolerance);
+    const double price = static_cast<double>(found.steps.size()) + std::min(1.0, missed * missed);
+    if (price < least) {
+      least = price;
+      best = std::move(found);
+    }
+    if (missed <= kSurelyThere) break;
+  }
+  best.effort = effort;
+  return best;
 }
 
 void AdaptivePlanner::observe(std::size_t entry, const Pose2& world_from_before,
@@ -103,7 +173,7 @@ void AdaptivePlanner::setPaths(EntryPaths paths) {
 
 /// With build_mutex_, or before anybody else knows of it.
 void AdaptivePlanner::rebuild() {
-  auto planner = std::make_shared<const Planner>(*expected_, options_, Deviation{}, paths_);
+  auto planner = std::make_shared<const Planner>(*expected_, options_, paths_);
   const std::lock_guard<std::mutex> lock(mutex_);
   planner_ = std::move(planner);
 }

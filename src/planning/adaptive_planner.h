@@ -37,7 +37,9 @@ class AdaptivePlanner {
   std::shared_ptr<const Planner> planner() const;
 
   /// As Planner::plan(), a drift in the world included: a chain of k behaviours is sought to the
-  /// goal less k drifts, and predicted to end that much farther.
+  /// goal less k drifts, and predicted to end that much farther. Where the foresight follows chains
+  /// (Foresight::follow()) and the one found leads elsewhere, others are sought to the goal less
+  /// what that one misses it by; the poses of the plan are those followed.
   PlanResult plan(const PlanRequest& request) const;
 
   /// One behaviour that was walked: its entry (index) and the measured pose at rest before and
@@ -48,6 +50,8 @@ class AdaptivePlanner {
 
  private:
   void rebuild();
+  PlanResult planDrifting(const Planner& planner, const PlanRequest& request) const;
+  bool follow(const PlanRequest& request, PlanResult& result) const;
 
   const std::shared_ptr<const Repertoire> repertoire_;
   const PlannerOptions options_;

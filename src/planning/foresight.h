@@ -37,6 +37,15 @@ class Foresight {
   virtual std::shared_ptr<const Repertoire> expected(
       const std::shared_ptr<const Repertoire>& repertoire) = 0;
 
+  /// The poses after each of these behaviours, played one after another from where the robot
+  /// stands, which is `world_from_start`; empty when nothing better is known than expected() tells.
+  /// What one of them leads to depends on those before it, and on the heading on a slope: this
+  /// knows, a repertoire does not.
+  virtual std::vector<Pose2> follow(const Pose2& /*world_from_start*/,
+                                    const std::vector<Entry>& /*chain*/) const {
+    return {};
+  }
+
   /// What every behaviour moves the robot beyond that, in the world and wherever it heads: the
   /// downhill drift on a slope [m].
   virtual Eigen::Vector2d drift_m() const { return Eigen::Vector2d::Zero(); }

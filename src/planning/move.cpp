@@ -18,9 +18,9 @@ double blended(double spread, double trials, double prior) {
                    (trials + kPriorTrials));
 }
 
-Move moveOf(const Entry& entry, const PlannerOptions& options, const Deviation& deviation) {
+Move moveOf(const Entry& entry, const PlannerOptions& options) {
   Move move;
-  move.end = deviation.apply(entry.expectedPose());
+  move.end = entry.expectedPose();
   move.cosine = std::cos(move.end.yaw_rad);
   move.sine = std::sin(move.end.yaw_rad);
   move.length_m = std::hypot(move.end.x_m, move.end.y_m);
@@ -52,12 +52,12 @@ double separation(const Move& a, const Move& b) {
 }  // namespace
 
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
-                              const Deviation& deviation, const EntryPaths& paths) {
+                              const EntryPaths& paths) {
   std::vector<Move> result;
   for (const std::size_t i : steadyEntries(repertoire.entries, options.steadiness)) {
     const Entry& entry = repertoire.entries[i];
     if (finiteSpread(entry) && moves(entry)) {
-      result.push_back(moveOf(entry, options, deviation));
+      result.push_back(moveOf(entry, options));
       result.back().entry = i;
       result.back().path =
           makeMovePath(result.back().end, i < paths.size() ? paths[i] : std::vector<Pose2>{});

@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "geometry/pose2.h"
-#include "planning/deviation.h"
 #include "planning/move_path.h"
 #include "planning/planner_options.h"
 #include "repertoire/repertoire.h"
@@ -43,9 +42,9 @@ struct Move {
 /// that fell in its validation, that does not move, or whose pose is not finite.
 /// A validated spread counts as much as its number of trials against two trials of the unvalidated
 /// spread, so that an entry is not trusted after a single lucky trial.
-/// Where they lead is corrected by `deviation`; `paths` are theirs by index, where they are known.
+/// `paths` are theirs by index, where they are known.
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
-                              const Deviation& deviation, const EntryPaths& paths = {});
+                              const EntryPaths& paths = {});
 
 /// Indices of at most `count` moves that cover the end poses evenly, best spread first: each next
 /// one is the farthest from those chosen (metres; a radian counts as 0.3 m), discounted by its

@@ -40,9 +40,9 @@ bool mayBeNarrow(PlanCode code) {
 }  // namespace
 
 Planner::Planner(const Repertoire& repertoire, const PlannerOptions& options,
-                 const Deviation& deviation, const EntryPaths& paths)
+                 const EntryPaths& paths)
     : options_(checked(options)),
-      tables_(repertoire, options_, deviation, paths),
+      tables_(repertoire, options_, paths),
       behavior_duration_s_(repertoire.behavior_duration_s),
       move_of_(repertoire.entries.size(), kNone) {
   ids_.reserve(repertoire.entries.size());

@@ -29,10 +29,10 @@ namespace hexapod {
 class Planner {
  public:
   /// Copies what it needs from the repertoire. Throws std::invalid_argument naming the option when
-  /// one is out of the range that declareOptions() states. With a `deviation` the entries are
-  /// expected to lead where it says; along `paths`, by index, where those are known.
+  /// one is out of the range that declareOptions() states. Entries lead along `paths`, by index,
+  /// where those are known.
   Planner(const Repertoire& repertoire, const PlannerOptions& options,
-          const Deviation& deviation = {}, const EntryPaths& paths = {});
+          const EntryPaths& paths = {});
 
   /// Where the obstacles with their margin leave no plan, one with their narrow margin.
   PlanResult plan(const PlanRequest& request) const;

@@ -44,8 +44,8 @@ PoseTable tabulatePairs(const std::vector<Move>& moves, std::int64_t max_pairs) 
 }  // namespace
 
 PlanningTables::PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
-                               const Deviation& deviation, const EntryPaths& paths)
-    : moves(usableMoves(repertoire, options, deviation, paths)),
+                               const EntryPaths& paths)
+    : moves(usableMoves(repertoire, options, paths)),
       representatives(chooseRepresentatives(moves)),
       singles(tabulateSingles(moves)),
       pairs(tabulatePairs(moves, options.max_pairs)),

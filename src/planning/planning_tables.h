@@ -12,7 +12,7 @@ namespace hexapod {
 /// What is computed once per repertoire. Immutable.
 struct PlanningTables {
   PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
-                 const Deviation& deviation, const EntryPaths& paths);
+                 const EntryPaths& paths);
 
   /// Whether `pairs` holds every pair there is.
   bool hasAllPairs() const { return pairs.size() == moves.size() * moves.size(); }

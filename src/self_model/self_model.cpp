@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hexapod {
 namespace {
 
 // Bodies less likely than this do not matter to what is expected.
 constexpr double kUnlikely = 0.1;
+// A body less likely is not worth following chains in.
+constexpr double kLikelyEnough = 0.5;
 // How far an expected end pose is off before anything was walked, worth kPriorCount behaviours.
 constexpr double kPriorError_m = 0.005;
 constexpr double kPriorError_rad = 0.012;
@@ -109,6 +112,28 @@ void SelfModel::forget() {
   ++revision_;
 }
 
+// In the most likely body, if there is one.
+std::vector<Pose2> SelfModel::follow(const Pose2& world_from_start,
+                                     const std::vector<Entry>& chain) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (belief_.probability(0) < kLikelyEnough) return {};
+  const BelievedBody& body = belief_.bodies().front();
+  const Physics physics = belief_.physicsOf(body);
+  const Deviation residual = residual_.deviation();
+  WorldState state = body.state;
+  std::vector<Pose2> poses;
+  Pose2 pose = world_from_start;
+  for (const Entry& entry : chain) {
+    state = imagination_->turned(state, pose.yaw_rad);
+    Imagined imagined = std::move(imagination_->play(entry.genome, {{physics, &state}}).front());
+    if (imagined.verdict != Verdict::kWalked) return {};
+    pose = pose * residual.apply(imagined.start_from_end);
+    poses.push_back(pose);
+    state = std::move(imagined.end);
+  }
+  return poses;
+}
+
 Eigen::Vector2d SelfModel::drift_m() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return drift_m_;
@@ -136,7 +161,7 @@ void SelfModel::learnResidual(const SeenBehavior& seen) {
 void SelfModel::learnErrors(const WalkedStep& step) {
   if (!expected_.repertoire) return;
   for (const Entry& entry : expected_.repertoire->entries) {
-    if (entry.id != step.entry.id || !entry.execution) continue;
+    if (entry.genome != step.entry.genome || !entry.execution) continue;
     Pose2 predicted = step.world_from_before * entry.execution->mean;
     predicted.x_m += drift_m_.x();
     predicted.y_m += drift_m_.y();
@@ -200,24 +225,23 @@ std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoir
 void SelfModel::findDrift(const Repertoire& repertoire) {
   drift_m_.setZero();
   const BelievedBody& body = belief_.bodies().front();
-  const double slope_rad = std::hypot(body.mean[kSlopeX], body.mean[kSlopeY]);
+  const Physics sloping = belief_.physicsOf(body);
+  const double slope_rad = std::hypot(sloping.slope_x_rad, sloping.slope_y_rad);
   if (slope_rad < kFlat_rad || repertoire.entries.empty()) return;
   std::vector<Genome> genomes;
   const std::size_t every = std::max<std::size_t>(1, repertoire.entries.size() / kDriftEntries);
   for (std::size_t i = 0; i < repertoire.entries.size(); i += every) {
     genomes.push_back(repertoire.entries[i].genome);
   }
-  BelievedBody level = body;
-  level.mean[kSlopeX] = level.mean[kSlopeY] = 0.0;
+  Physics level = sloping;
+  level.slope_x_rad = level.slope_y_rad = 0.0;
   Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
   double count = 0.0;
   for (int quarter = 0; quarter < 4; ++quarter) {
     const double heading_rad = heading_rad_ + 0.5 * M_PI * quarter;
     const WorldState start = imagination_->turned(body.state, heading_rad);
-    const std::vector<Outcome> there =
-        imagination_->playAll(genomes, {belief_.physicsOf(level), &start});
-    const std::vector<Outcome> here =
-        imagination_->playAll(genomes, {belief_.physicsOf(body), &start});
+    const std::vector<Outcome> there = imagination_->playAll(genomes, {level, &start});
+    const std::vector<Outcome> here = imagination_->playAll(genomes, {sloping, &start});
     const Pose2 heading{0.0, 0.0, heading_rad};
     for (std::size_t i = 0; i < genomes.size(); ++i) {
       if (!here[i].walked() || !there[i].walked()) continue;

@@ -25,9 +25,10 @@ struct SelfModelOptions {
 ///
 /// The repertoire is played in the most likely bodies, each from the state in which the last
 /// behaviour is thought to have left it: exact for the next behaviour, as good as any start for
-/// those after it. What fails in a body that is not unlikely is left out. Spreads come from how far
-/// bodies disagree, and from how far the expected end poses were off so far. What no body explains,
-/// all behaviours alike, is learned as a Deviation of what the most likely body does.
+/// those after it, which follow() imagines in their order. What fails in a body that is not
+/// unlikely is left out. Spreads come from how far bodies disagree, and from how far the expected
+/// end poses were off so far. What no body explains, all behaviours alike, is learned as a
+/// Deviation of what the most likely body does.
 class SelfModel : public Foresight {
  public:
   /// With `told`, the robot has that body for sure; nothing is believed, the repertoire is played
@@ -41,6 +42,8 @@ class SelfModel : public Foresight {
   void observe(const WalkedStep& step) override;
   std::shared_ptr<const Repertoire> expected(
       const std::shared_ptr<const Repertoire>& repertoire) override;
+  std::vector<Pose2> follow(const Pose2& world_from_start,
+                            const std::vector<Entry>& chain) const override;
   Eigen::Vector2d drift_m() const override;
 
   /// A copy of what is believed now.

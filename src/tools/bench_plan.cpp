@@ -96,7 +96,7 @@ void measureEmpty(const std::string& name, const Repertoire& repertoire,
 
 void measureWorlds(const Repertoire& repertoire, const EntryPaths& paths,
                    const Footprint& footprint, const BenchPlanOptions& options, Report& report) {
-  const Planner planner(repertoire, PlannerOptions{}, {}, paths);
+  const Planner planner(repertoire, PlannerOptions{}, paths);
   const ObstacleOptions obstacle_options;
   const PlanTrials trials(repertoire, planner, paths, footprint);
   const auto count = static_cast<std::size_t>(options.world_goals);

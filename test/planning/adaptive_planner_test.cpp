@@ -26,6 +26,27 @@ class Sliding : public Foresight {
   Eigen::Vector2d drift_m_;
 };
 
+// A robot whose later behaviours in a chain lead elsewhere than the first.
+class Following : public Foresight {
+ public:
+  void observe(const WalkedStep&) override {}
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override {
+    return repertoire;
+  }
+  std::vector<Pose2> follow(const Pose2& world_from_start,
+                            const std::vector<Entry>& chain) const override {
+    std::vector<Pose2> poses;
+    Pose2 pose = world_from_start;
+    for (const Entry& entry : chain) {
+      pose = pose * entry.expectedPose();
+      if (!poses.empty()) pose = pose * Pose2{0.05, -0.03, 0.1};
+      poses.push_back(pose);
+    }
+    return poses;
+  }
+};
+
 // Leaves out all entries that lead backwards once anything was walked.
 class OnlyForward : public Foresight {
  public:
@@ -74,6 +95,53 @@ TEST(AdaptivePlanner, SeeksGoalsAgainstTheDrift) {
     longest = std::max(longest, static_cast<int>(plan.steps.size()));
   }
   EXPECT_GE(longest, 3);
+}
+
+TEST(AdaptivePlanner, FinishesAChainThatWasBegunOnASlidingFloor) {
+  const Repertoire repertoire = arcRepertoire(300, 1);
+  const Eigen::Vector2d drift_m(-0.06, 0.01);
+  const AdaptivePlanner planner(repertoire, PlannerOptions(), std::make_shared<Sliding>(drift_m));
+  Random random(6);
+  for (int i = 0; i < 20; ++i) {
+    PlanRequest request = requestTo(randomPose(random, 1.5));
+    const std::size_t promised = planner.plan(request).steps.size();
+    std::size_t walked = 0;
+    Pose2& pose = request.world_from_start;
+    while (distance(pose, request.world_from_goal) > request.tolerance.xy_m ||
+           headingDistance(pose, request.world_from_goal) > request.tolerance.yaw_rad) {
+      const PlanResult plan = planner.plan(request);
+      ASSERT_EQ(plan.code, PlanCode::kFound) << plan.message;
+      pose = plan.steps.front().world_from_end;
+      ASSERT_LE(++walked, promised + 1);
+    }
+  }
+}
+
+TEST(AdaptivePlanner, PlansWithWhereChainsReallyLead) {
+  const Repertoire repertoire = arcRepertoire(300, 1);
+  const AdaptivePlanner planner(repertoire, PlannerOptions(), std::make_shared<Following>());
+  Random random(7);
+  int arriving = 0, longer = 0;
+  for (int i = 0; i < 30; ++i) {
+    PlanRequest request = requestTo(randomPose(random, 1.5));
+    request.world_from_start = randomPose(random, 1.0);
+    const PlanResult plan = planner.plan(request);
+    ASSERT_EQ(plan.code, PlanCode::kFound) << plan.message;
+    std::vector<Entry> chain;
+    for (const PlannedStep& step : plan.steps) chain.push_back(repertoire.entries[step.entry]);
+    const std::vector<Pose2> poses = Following().follow(request.world_from_start, chain);
+    for (std::size_t k = 0; k < poses.size(); ++k) {
+      EXPECT_LT(distance(poses[k], plan.steps[k].world_from_end), 1e-9);
+    }
+    EXPECT_LT(distance(poses.back(), plan.world_from_end), 1e-9);
+    EXPECT_NEAR(plan.distance_m, distance(poses.back(), request.world_from_goal), 1e-9);
+    EXPECT_LT(distance(plan.world_from_target, request.world_from_goal), 1e-9);
+    arriving +=
+        plan.distance_m <= request.tolerance.xy_m && plan.heading_rad <= request.tolerance.yaw_rad;
+    longer += plan.steps.size() > 1;
+  }
+  EXPECT_GE(arriving, 28);
+  EXPECT_GE(longer, 20);
 }
 
 TEST(AdaptivePlanner, PlansWithWhatIsExpectedAfterAnObservation) {

@@ -43,7 +43,7 @@ TEST(Planner, IsAsShortAsBruteForceWhenEntriesAreSure) {
   options.unvalidated_spread_m = 0.0;
   options.unvalidated_spread_rad = 0.0;
   const Planner planner(repertoire, options);
-  const std::vector<Move> moves = usableMoves(repertoire, options, {});
+  const std::vector<Move> moves = usableMoves(repertoire, options);
   Random random(7);
   int short_ones = 0;
   for (int i = 0; i < 150; ++i) {
@@ -63,7 +63,7 @@ TEST(Planner, CostsNoMoreThanTheBestOfAllShortChains) {
     options.max_pairs = max_pairs;
     const Repertoire repertoire = arcRepertoire(120, 8);
     const Planner planner(repertoire, options);
-    const std::vector<Move> moves = usableMoves(repertoire, options, {});
+    const std::vector<Move> moves = usableMoves(repertoire, options);
     const EndCost end_cost(options.tolerance(), options);
     Random random(9);
     for (int i = 0; i < 100; ++i) {

@@ -3,7 +3,8 @@
 #include <memory>
 
 #include "arc_repertoire.h"
-#include "planning/planner.h"
+#include "planning/adaptive_planner.h"
+#include "planning/deviation.h"
 #include "random_goal.h"
 
 namespace hexapod {
@@ -28,8 +29,6 @@ struct Tally {
 /// does.
 class ClosedLoop : public testing::Test {
  protected:
-  ClosedLoop() { options_.max_pairs = 40000; }
-
   Tally walk(const World& world, int walks, bool learn_deviation) {
     Tally tally;
     for (; tally.walks < walks; ++tally.walks) {
@@ -45,21 +44,17 @@ class ClosedLoop : public testing::Test {
   static constexpr int kMostBehaviours = 40;
 
   int behavioursTo(PlanRequest request, const World& world, bool learn_deviation) {
-    DeviationEstimator estimator;
-    std::unique_ptr<Planner> adapted;
-    Deviation deviation;
+    AdaptivePlanner planner(like_,
+                            learn_deviation ? std::make_shared<DeviationForesight>() : nullptr);
     for (int count = 0; count <= kMostBehaviours; ++count) {
-      const PlanResult plan = (adapted ? *adapted : planner_).plan(request);
+      const PlanResult plan = planner.plan(request);
       if (plan.code == PlanCode::kAlreadyThere) return count;
       if (plan.code != PlanCode::kFound) break;
-      const Pose2& expected = repertoire_.entries[plan.steps.front().entry].expectedPose();
-      const Pose2 measured = executed(expected, world);
-      request.world_from_start = request.world_from_start * measured;
-      estimator.observe(expected, measured);
-      if (learn_deviation && estimator.deviation() != deviation) {
-        deviation = estimator.deviation();
-        adapted = std::make_unique<Planner>(repertoire_, options_, deviation);
-      }
+      const std::size_t entry = plan.steps.front().entry;
+      const Pose2 before = request.world_from_start;
+      request.world_from_start =
+          before * executed(repertoire_.entries[entry].expectedPose(), world);
+      planner.observe(entry, before, request.world_from_start);
     }
     return kMostBehaviours + 1;
   }
@@ -73,9 +68,14 @@ class ClosedLoop : public testing::Test {
   }
 
   Random random_{11};
-  PlannerOptions options_;
+  static PlannerOptions quicklyBuilt() {
+    PlannerOptions options;
+    options.max_pairs = 40000;
+    return options;
+  }
+
   const Repertoire repertoire_ = arcRepertoire(400, 1);
-  const Planner planner_{repertoire_, options_};
+  const AdaptivePlanner like_{repertoire_, quicklyBuilt(), nullptr};
 };
 
 TEST_F(ClosedLoop, ArrivesWithTheNoiseOfTheRepertoire) {

@@ -12,7 +12,7 @@ namespace {
 TEST(Move, SeesTheGoalFromItsEnd) {
   const PlannerOptions options;
   const Pose2 goal = {1.0, -0.4, 2.8};
-  for (const Move& move : usableMoves(arcRepertoire(50, 1), options, {})) {
+  for (const Move& move : usableMoves(arcRepertoire(50, 1), options)) {
     const Pose2 expected = inverse(move.end) * goal;
     const Pose2 remaining = move.remaining(goal);
     EXPECT_NEAR(distance(remaining, expected), 0.0, 1e-12);
@@ -27,7 +27,7 @@ TEST(UsableMoves, TrustsASpreadByItsTrials) {
   unvalidated.execution.reset();
   PlannerOptions options;
   options.unvalidated_spread_m = 0.03;
-  const auto moves = usableMoves(repertoireOf({lucky, unvalidated}), options, {});
+  const auto moves = usableMoves(repertoireOf({lucky, unvalidated}), options);
   ASSERT_EQ(moves.size(), 2u);
   // sqrt((1 * 0 + 2 * 0.03^2) / (1 + 2))
   EXPECT_NEAR(moves[0].spread_m, 0.03 * std::sqrt(2.0 / 3.0), 1e-12);
@@ -36,7 +36,7 @@ TEST(UsableMoves, TrustsASpreadByItsTrials) {
 }
 
 TEST(SpreadOut, LeavesNoMoveFarFromAChosenOne) {
-  const auto moves = usableMoves(arcRepertoire(400, 2), PlannerOptions{}, {});
+  const auto moves = usableMoves(arcRepertoire(400, 2), PlannerOptions{});
   const auto chosen = spreadOut(moves, 64);
   EXPECT_EQ(std::set<std::size_t>(chosen.begin(), chosen.end()).size(), 64u);
   for (const Move& move : moves) {
@@ -49,7 +49,7 @@ TEST(SpreadOut, LeavesNoMoveFarFromAChosenOne) {
 }
 
 TEST(SpreadOut, TakesAllWhenThereAreFew) {
-  const auto moves = usableMoves(arcRepertoire(5, 2), PlannerOptions{}, {});
+  const auto moves = usableMoves(arcRepertoire(5, 2), PlannerOptions{});
   EXPECT_EQ(spreadOut(moves, 64).size(), 5u);
   EXPECT_TRUE(spreadOut({}, 64).empty());
 }
@@ -58,7 +58,7 @@ TEST(FarthestPerSector, ReachesFarthestInEachDirection) {
   const auto moves =
       usableMoves(repertoireOf({entryTo({0.5, 0.0, 0.0}), entryTo({0.3, 0.01, 0.0}),
                                 entryTo({-0.2, 0.0, 0.0}), entryTo({-0.4, 0.0, 0.0})}),
-                  PlannerOptions{}, {});
+                  PlannerOptions{});
   const auto farthest = farthestPerSector(moves, 4);
   EXPECT_EQ(std::set<std::size_t>(farthest.begin(), farthest.end()), (std::set<std::size_t>{0, 3}));
 }

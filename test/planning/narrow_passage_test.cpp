@@ -20,8 +20,7 @@ class NarrowPassage : public testing::Test {
       entries.push_back(entryTo({length_m, 0.0, 0.0}));
       paths.push_back({{0.5 * length_m, 0.0, 0.0}, {length_m, 0.0, 0.0}});
     }
-    planner_ =
-        std::make_unique<Planner>(repertoireOf(entries), PlannerOptions(), Deviation(), paths);
+    planner_ = std::make_unique<Planner>(repertoireOf(entries), PlannerOptions(), paths);
   }
 
   /// The plan through a passage of that width, 30 cm long, for a disc of 0.3 m.

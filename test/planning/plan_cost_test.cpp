@@ -42,7 +42,7 @@ TEST(EndCost, KnowsNoHeadingWhenAnyWillDo) {
 TEST(Uncertainty, AgreesWithSampling) {
   Random random(2);
   const Pose2 end = {0.5, 0.2, 0.7};
-  const auto moves = usableMoves(repertoireOf({entryTo(end, 0.01, 0.05)}), PlannerOptions{}, {});
+  const auto moves = usableMoves(repertoireOf({entryTo(end, 0.01, 0.05)}), PlannerOptions{});
   Uncertainty predicted;
   for (int i = 0; i < 3; ++i) predicted = predicted.after(moves[0], 1.0);
   double position_m2 = 0.0;

@@ -18,7 +18,7 @@ class FewEntries : public testing::Test {
     for (Entry& entry : repertoire_.entries) entry = entryTo(entry.end_pose, 0.0, 0.0);
     options_.unvalidated_spread_m = 0.0;
     options_.unvalidated_spread_rad = 0.0;
-    moves_ = usableMoves(repertoire_, options_, {});
+    moves_ = usableMoves(repertoire_, options_);
   }
 
   /// All chains of up to `most` moves; calls visit(end, steps).

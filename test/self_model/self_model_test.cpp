@@ -73,6 +73,33 @@ TEST(SelfModel, ForeseesADamagedRobotOnASlopeAfterTwoBehaviours) {
   EXPECT_GT(self_model.drift_m().y(), 0.005);
 }
 
+TEST(SelfModel, FollowsAChainToWhereItLeads) {
+  const auto known = repertoire();
+  Physics slope;
+  slope.slope_x_rad = 0.04;
+  WalkedBody body("", slope);
+  SelfModel self_model(body.robot(), LearnedWorld(), oneThread(), slope);
+  const std::vector<Pose2> poses = self_model.follow(Pose2(), known->entries);
+  ASSERT_EQ(poses.size(), known->entries.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    const SeenBehavior seen = body.walk(known->entries[i].genome);
+    EXPECT_LT(distance(poses[i], seen.world_from_after), 0.005) << i;
+    EXPECT_LT(headingDistance(poses[i], seen.world_from_after), 0.02) << i;
+  }
+}
+
+TEST(SelfModel, FollowsNoChainThatFails) {
+  const auto known = repertoire();
+  Physics told;
+  told.legs = legStatesFromText(shippedRobot(), "left_rear: lifted, right_front: lifted");
+  SelfModel self_model(shippedRobot(), LearnedWorld(), oneThread(), told);
+  const auto expected = self_model.expected(known);
+  for (std::size_t i = 0; i < known->entries.size(); ++i) {
+    EXPECT_EQ(self_model.follow(Pose2(), {known->entries[i]}).empty(),
+              !expected->entries[i].usable());
+  }
+}
+
 TEST(SelfModel, LeavesOutWhatFailsInItsBody) {
   const auto known = repertoire();
   Physics told;
