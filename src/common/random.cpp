@@ -1,5 +1,6 @@
 #include "common/random.h"
 
+#include <cmath>
 #include <limits>
 #include <locale>
 #include <sstream>
@@ -21,6 +22,15 @@ std::string Random::state() const {
   text.imbue(std::locale::classic());
   text << engine_;
   return text.str();
+}
+
+// Polar method; the second value is thrown away.
+double Random::normal() {
+  for (;;) {
+    const double u = uniform(-1.0, 1.0), v = uniform(-1.0, 1.0);
+    const double square = u * u + v * v;
+    if (square > 0.0 && square < 1.0) return u * std::sqrt(-2.0 * std::log(square) / square);
+  }
 }
 
 std::uint64_t Random::below(std::uint64_t count) {

@@ -34,6 +34,9 @@ class Random {
   /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
 
+  /// Normally distributed, mean 0, standard deviation 1.
+  double normal();
+
   /// True with the given probability (0: never, 1: always).
   bool chance(double probability) { return uniform() < probability; }
 

@@ -51,6 +51,13 @@ void Generational::goOn(const EvolutionState& state) {
   population_ = state.population;
 }
 
+void Generational::beginWith(std::vector<Genome> genotypes) {
+  for (const Genome& genotype : genotypes) {
+    requireGeneCount(genotype, space().gene_count, "A genotype to begin with");
+  }
+  first_ = std::move(genotypes);
+}
+
 EvolutionState Generational::state() const {
   return {random_, next_id_, counters_, 0.0, population_, entries()};
 }
@@ -61,7 +68,8 @@ const Questions& Generational::ask(std::int64_t most_candidates) {
     throw std::invalid_argument("A generation needs 1 candidate or more, not " +
                                 std::to_string(most_candidates) + ".");
   }
-  begin(static_cast<std::size_t>(std::min(size_, most_candidates)));
+  const std::int64_t size = std::max(size_, static_cast<std::int64_t>(first_.size()));
+  begin(static_cast<std::size_t>(std::min(size, most_candidates)));
   return draft_->questions;
 }
 
@@ -83,12 +91,20 @@ void Generational::tell(const std::vector<Outcome>& outcomes) {
   if (!askFurther()) complete();
 }
 
+std::vector<Genome> Generational::nextGenotypes(std::size_t count, Random& random) const {
+  const std::size_t given = std::min(count, first_.size());
+  std::vector<Genome> genotypes(first_.begin(),
+                                first_.begin() + static_cast<std::ptrdiff_t>(given));
+  for (Genome& bred : breed(count - given, random)) genotypes.push_back(std::move(bred));
+  return genotypes;
+}
+
 void Generational::begin(std::size_t candidates) {
   Draft draft;
   draft.random = random_;
   draft.candidates = candidates;
   draft.pool.individuals = population_;
-  const std::vector<Genome> genotypes = breed(candidates, draft.random);
+  const std::vector<Genome> genotypes = nextGenotypes(candidates, draft.random);
   std::vector<std::size_t> asked;
   for (std::size_t i = 0; i < candidates; ++i) {
     Individual candidate;
@@ -132,6 +148,7 @@ void Generational::complete() {
   Draft draft = std::move(*draft_);
   draft_.reset();
   random_ = draft.random;
+  first_.clear();
   next_id_ += static_cast<std::int64_t>(draft.candidates * (1 + task_.symmetries.size()));
   counters_.evaluations += static_cast<std::int64_t>(draft.candidates);
   counters_.looked_twice += draft.looked_twice;

@@ -25,6 +25,11 @@ class Generational : public Algorithm {
   void tell(const std::vector<Outcome>& outcomes) final;
   const EvolutionCounters& counters() const final { return counters_; }
 
+  /// Before the first ask(): the first generation is made of these genotypes, all of them however
+  /// many there are, and of bred ones where they are fewer than a generation has. Throws
+  /// std::invalid_argument when one has another number of genes.
+  void beginWith(std::vector<Genome> genotypes);
+
   /// The individuals kept from generation to generation; none where the entries are all there is.
   const std::vector<Individual>& population() const { return population_; }
 
@@ -75,6 +80,7 @@ class Generational : public Algorithm {
     Questions questions;
   };
   void begin(std::size_t candidates);
+  std::vector<Genome> nextGenotypes(std::size_t count, Random& random) const;
   void askAbout(int look, const std::vector<std::size_t>& asked);
   bool askFurther();
   void complete();
@@ -83,6 +89,7 @@ class Generational : public Algorithm {
   Task task_;
   Random random_;
   std::int64_t next_id_ = 1;
+  std::vector<Genome> first_;  // of the first generation
   std::optional<Draft> draft_;
 };
 

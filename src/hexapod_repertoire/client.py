@@ -105,6 +105,13 @@ def heard(topic: Latest) -> Optional[Any]:
         return None
 
 
+def described(repertoire: Repertoire) -> str:
+    """Its size and run, and the body it was learned for if that is not the robot's own."""
+    text = f"{len(repertoire.entries)} entries of run {repertoire.run_id}"
+    body = dict(zip(repertoire.option_names, repertoire.option_values)).get("body")
+    return text + (f", learned for this body: {body}" if body else "")
+
+
 def info() -> int:
     """Prints what runs; 0 when there is an executor and a repertoire."""
     topics = {"executor/state": ExecutorState, "repertoire": Repertoire, "odom": Odometry}
@@ -112,8 +119,7 @@ def info() -> int:
     state, repertoire, odometry = (heard(latest[name]) for name in topics)
     print("executor:   " + (f"{STATES[state.state]}: {state.reason}" if state else
                             "none; start a session with ./run walk"))
-    print("repertoire: " + (f"{len(repertoire.entries)} entries of run {repertoire.run_id}"
-                            if repertoire else "none is published"))
+    print("repertoire: " + (described(repertoire) if repertoire else "none is published"))
     if odometry:
         x_m, y_m, yaw = to_pose(odometry.pose.pose)
         print(f"robot:      at {x_m:.2f} m, {y_m:.2f} m, {math.degrees(yaw):.0f} deg in "

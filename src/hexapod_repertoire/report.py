@@ -56,6 +56,7 @@ MEASURES: Sequence[Tuple[str, Callable[[Stored], str]]] = (
     ("shift of trials, median", lambda s: _median(s.shift_m, 100.0, "cm")),
     ("entries that fell in a trial", lambda s: str(int((s.entries["falls"] > 0).sum()))),
     ("robot", lambda s: s.meta.get("robot_id", "not known")),
+    ("body it learned for", lambda s: s.meta.get("option.body", "as described")),
     ("run", lambda s: s.meta.get("run_id", "not known")),
 )
 WORLD_MEASURES = (("sparseness_m", 100.0, "cm"), ("median_orientation_error_rad", DEGREES, "deg"),

@@ -1,11 +1,26 @@
 #include "learning/candidate_evaluator.h"
 
+#include <algorithm>
+
 namespace hexapod {
 namespace {
 
-std::vector<Symmetry> usedSymmetries(const RobotDescription& robot, const LearnOptions& options) {
-  if (!options.evolution.offer_twins) return {};
-  return symmetriesOf(robot);
+// A leg that is out of order, or a slope, leaves no image of the robot.
+bool isLopsided(const Physics& physics) {
+  return physics.slope_x_rad != 0.0 || physics.slope_y_rad != 0.0 ||
+         std::any_of(physics.legs.begin(), physics.legs.end(),
+                     [](const LegState& leg) { return leg.condition != LegCondition::kIntact; });
+}
+
+std::vector<Symmetry> usedSymmetries(const WorldPool& worlds, const LearnOptions& options) {
+  if (!options.evolution.offer_twins || isLopsided(worlds.physics())) return {};
+  return symmetriesOf(worlds.robot());
+}
+
+// What a candidate is evaluated to does not depend on those that the run began with.
+std::string nameOfWork(const RobotDescription& robot, LearnOptions options) {
+  options.from.clear();
+  return runId(robot, resultOptions(options));
 }
 
 }  // namespace
@@ -14,8 +29,8 @@ CandidateEvaluator::CandidateEvaluator(std::shared_ptr<WorldPool> worlds,
                                        const LearnOptions& options,
                                        const std::atomic<bool>& cancelled,
                                        const DistributedEvaluator::Workers& workers)
-    : symmetries_(usedSymmetries(worlds->robot(), options)),
-      own_{runId(worlds->robot(), resultOptions(options)), worlds->threads(), ""},
+    : symmetries_(usedSymmetries(*worlds, options)),
+      own_{nameOfWork(worlds->robot(), options), worlds->threads(), ""},
       nominal_(worlds, options.behavior, &cancelled),
       robust_(nominal_, worlds, options.behavior, options.robustness,
               static_cast<std::uint64_t>(options.seed), &cancelled),

@@ -17,8 +17,9 @@ namespace hexapod {
 class CandidateEvaluator {
  public:
   /// The robot's symmetries, none unless twins are offered: without them the paper's algorithm
-  /// runs on simulated outcomes only. Waits for the workers (see DistributedEvaluator). Throws
-  /// std::invalid_argument when options do not fit.
+  /// runs on simulated outcomes only. None, too, of a body with a leg out of order, or on a slope.
+  /// Waits for the workers (see DistributedEvaluator). Throws std::invalid_argument when options do
+  /// not fit.
   CandidateEvaluator(std::shared_ptr<WorldPool> worlds, const LearnOptions& options,
                      const std::atomic<bool>& cancelled,
                      const DistributedEvaluator::Workers& workers = {});

@@ -6,6 +6,7 @@
 #include "evolution/algorithms.h"
 #include "repertoire/digest.h"
 #include "robot/dimensions.h"
+#include "simulation/body_text.h"
 
 namespace hexapod {
 namespace {
@@ -51,6 +52,14 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "grid or on Voronoi cells, which takes population_size, mutation_rate and offer_twins "
              "of BR-Evolution's options, not the others.",
              algorithmNames()),
+      option("from", options.from,
+             "Repertoire file whose entries are the first candidates, evaluated anew: for another "
+             "body, a changed robot or another floor. Empty: they are random."),
+      option(
+          "body", options.body,
+          "What is otherwise about the body that is learned for: 'left_middle: locked, friction: "
+          "0.7'; legs locked, lifted, limp or missing; friction, mass, gain and torque as "
+          "scales, slope_x, slope_y, latency. Empty: the robot as its files describe it."),
       option("engine", options.engine,
              "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
@@ -96,13 +105,15 @@ LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options) {
   options.map_elites.cell_m *= options.length_scale;
   options.map_elites.cvt_radius_m *= options.length_scale;
   options.robustness.spread_weight_rad_per_m /= options.length_scale;
+  options.body = bodyText(robot, bodyFromText(robot, options.body));
+  if (options.body == toString(LegCondition::kIntact)) options.body.clear();
   return options;
 }
 
-Physics nominalPhysics(const LearnOptions& options) {
+Physics nominalPhysics(const RobotDescription& robot, const LearnOptions& options) {
   Physics physics;
   physics.step_s = options.step_s;
-  return physics;
+  return bodyFromText(robot, options.body, physics);
 }
 
 std::map<std::string, std::string> resultOptions(const LearnOptions& options) {
@@ -113,6 +124,10 @@ std::map<std::string, std::string> resultOptions(const LearnOptions& options) {
   std::map<std::string, std::string> texts;
   for (const Option& option : declareOptions(copy)) {
     if (others.count(option.name) == 0) texts[option.name] = option.text();
+  }
+  // Files keep only what is there.
+  for (const char* name : {"from", "body"}) {
+    if (texts[name].empty()) texts.erase(name);
   }
   return texts;
 }

@@ -26,6 +26,8 @@ struct LearnOptions {
   std::int64_t seed = 1;
   std::int64_t threads = 0;
   std::string algorithm = "br_evolution";
+  std::string from;  ///< in a run: what names the entries that it began with (warm_start.h)
+  std::string body;
   std::string engine = "reduced";
   double step_s = 0.015;
   double length_scale = 0.0;  ///< of all lengths below; 0: the robot's own
@@ -49,11 +51,12 @@ std::vector<Option> declareOptions(LearnOptions& options);
 LearnOptions withBudget(LearnOptions options);
 
 /// The same with all lengths multiplied by `length_scale`, or by the robot's own lengthScale()
-/// where that is 0, and with what counts per metre divided by it.
+/// where that is 0, with what counts per metre divided by it, and with the body in one spelling.
+/// Throws std::invalid_argument as bodyFromText() does.
 LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options);
 
 /// The physics that candidates are simulated with first.
-Physics nominalPhysics(const LearnOptions& options);
+Physics nominalPhysics(const RobotDescription& robot, const LearnOptions& options);
 
 /// The options that say what is learned, as texts by name, as the repertoire keeps them. Where it
 /// is kept, how often it is saved and how many threads work makes no difference to it.

@@ -10,27 +10,33 @@ namespace {
 
 std::unique_ptr<Generational> algorithmOf(const RobotDescription& robot,
                                           const LearnOptions& options,
-                                          CandidateEvaluator& evaluator,
-                                          const std::optional<Resumed>& resumed) {
+                                          CandidateEvaluator& evaluator, const RunStart& start) {
   const AlgorithmChoice choice{options.algorithm, options.evolution, options.map_elites};
   const Task task(robot.geneCount(), evaluator.evaluator().looks(), evaluator.symmetries());
-  return resumed ? makeAlgorithm(choice, task, resumed->checkpoint.evolution)
-                 : makeAlgorithm(choice, task, Random(static_cast<std::uint64_t>(options.seed)));
+  if (start.resumed) return makeAlgorithm(choice, task, start.resumed->checkpoint.evolution);
+  auto algorithm = makeAlgorithm(choice, task, Random(static_cast<std::uint64_t>(options.seed)));
+  if (start.warm) algorithm->beginWith(start.warm->genomes);
+  return algorithm;
+}
+
+LearnOptions begunAs(LearnOptions options, const RunStart& start) {
+  options.from = start.resumed ? start.resumed->from : start.warm ? start.warm->name : "";
+  return options;
 }
 
 }  // namespace
 
 LearningRun::LearningRun(const RobotDescription& robot, const LearnOptions& options,
-                         const std::optional<Resumed>& resumed, const std::atomic<bool>& cancelled,
+                         const RunStart& start, const std::atomic<bool>& cancelled,
                          const DistributedEvaluator::Workers& workers)
     : robot_(robot),
-      options_(options),
+      options_(begunAs(options, start)),
       engine_(chooseEngine(options.engine, robot)),
-      worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(options),
+      worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(robot, options),
                                           static_cast<int>(options.threads))),
       evaluator_(worlds_, options, cancelled, workers),
-      algorithm_(algorithmOf(robot, options, evaluator_, resumed)) {
-  if (resumed) goOn(*resumed);
+      algorithm_(algorithmOf(robot, options, evaluator_, start)) {
+  if (start.resumed) goOn(*start.resumed);
 }
 
 void LearningRun::goOn(const Resumed& resumed) {

@@ -14,6 +14,7 @@
 #include "learning/checkpoint.h"
 #include "learning/learn_options.h"
 #include "learning/resume.h"
+#include "learning/warm_start.h"
 #include "repertoire/repertoire.h"
 #include "robot/robot_description.h"
 #include "simulation/world.h"
@@ -28,15 +29,20 @@ struct Findings {
   std::optional<HeldOut> held_out;
 };
 
+/// From where a run starts: with neither, from random candidates.
+struct RunStart {
+  std::optional<Resumed> resumed;  ///< the run that is to be gone on with
+  std::optional<WarmStart> warm;   ///< of a new run
+};
+
 /// All that a learning run has found so far: population and archive, what checks said of the
 /// entries, history, time spent. One thread at a time.
 class LearningRun {
  public:
   /// A new run, or the one that is to be gone on with: from where it was, or, given a larger budget
   /// or other checks, without what its checks had found. Throws as CandidateEvaluator does.
-  LearningRun(const RobotDescription& robot, const LearnOptions& options,
-              const std::optional<Resumed>& resumed, const std::atomic<bool>& cancelled,
-              const DistributedEvaluator::Workers& workers);
+  LearningRun(const RobotDescription& robot, const LearnOptions& options, const RunStart& start,
+              const std::atomic<bool>& cancelled, const DistributedEvaluator::Workers& workers);
 
   const RobotDescription& robot() const { return robot_; }
   const LearnOptions& options() const { return options_; }

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/half_decade.h"
+#include "learning/resume.h"
 
 namespace hexapod {
 namespace {
@@ -22,15 +23,21 @@ std::string claimed(const LearnOptions& options) {
   return options.repertoire_file;
 }
 
-std::optional<Resumed> earlierRun(const RobotDescription& robot, const LearnOptions& options,
-                                  const Checkpointer& checkpointer) {
+RunStart newRun(const RobotDescription& robot, const LearnOptions& options) {
+  RunStart start;
+  if (!options.from.empty()) start.warm = warmStart(robot, options.from);
+  return start;
+}
+
+RunStart startOf(const RobotDescription& robot, const LearnOptions& options,
+                 const Checkpointer& checkpointer) {
   if (options.resume && options.overwrite) {
     throw std::invalid_argument(
         "'resume' and 'overwrite' are both true; set one of them to false: a run is either gone on "
         "with or replaced.");
   }
-  if (!checkpointer.holdsRepertoire() || options.overwrite) return std::nullopt;
-  if (options.resume) return resume(robot, options);
+  if (!checkpointer.holdsRepertoire() || options.overwrite) return newRun(robot, options);
+  if (options.resume) return {resume(robot, options), std::nullopt};
   throw std::runtime_error(
       options.repertoire_file +
       " holds a repertoire already. Nothing was changed: choose another "
@@ -45,14 +52,17 @@ LearningSession::LearningSession(const RobotDescription& robot, const LearnOptio
     : options_(suitedTo(robot, withBudget(options))),
       clock_(std::move(clock)),
       checkpointer_(claimed(options_), options_.checkpoint_period_s, clock_),
-      resumed_(earlierRun(robot, options_, checkpointer_)),
-      run_(robot, options_, resumed_, stop_, workers),
+      start_(startOf(robot, options_, checkpointer_)),
+      run_(robot, options_, start_, stop_, workers),
       phase_(run_.phaseFound()) {}
 
-std::string LearningSession::resumeRemark() const {
+std::string LearningSession::startRemark() const {
   const std::string& file = options_.repertoire_file;
+  if (start_.warm && !options_.resume) {
+    return "Beginning with the entries of " + options_.from + ": " + start_.warm->name + ".";
+  }
   if (!options_.resume) return "";
-  if (!resumed_) return "There is no run in " + file + " to go on with: it is begun.";
+  if (!start_.resumed) return "There is no run in " + file + " to go on with: it is begun.";
   const std::string size = std::to_string(run_.learned().size()) + " entries after " +
                            std::to_string(run_.counters().evaluations) + " evaluations";
   if (phase_ == LearningPhase::kDone) return "The run in " + file + " is finished: " + size + ".";

@@ -12,7 +12,6 @@
 #include "learning/learn_options.h"
 #include "learning/learning_phase.h"
 #include "learning/learning_run.h"
-#include "learning/resume.h"
 #include "repertoire/repertoire.h"
 #include "robot/robot_description.h"
 
@@ -83,8 +82,9 @@ class LearningSession {
   /// was.
   std::string saveProblem() const;
 
-  /// Before run(): a sentence for the user about what `resume` found, or empty without it.
-  std::string resumeRemark() const;
+  /// Before run(): a sentence for the user about what `resume` found or what the run begins with,
+  /// or empty without either.
+  std::string startRemark() const;
 
   /// A sentence for the user when ODE does not confirm some entries, which are left out, or empty.
   std::string verificationRemark() const;
@@ -113,7 +113,7 @@ class LearningSession {
   std::atomic<bool> stop_{false};
   mutable FairMutex mutex_;  // whoever changes run_ or phase_, or uses checkpointer_, has it
   Checkpointer checkpointer_;
-  std::optional<Resumed> resumed_;  // the run as it was found
+  RunStart start_;
   LearningRun run_;
   LearningPhase phase_;
   double lap_s_ = 0.0;  // up to here time spent evolving is counted

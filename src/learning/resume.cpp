@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "learning/warm_start.h"
+
 namespace hexapod {
 namespace {
 
@@ -22,12 +24,15 @@ std::string differences(const Repertoire& stored, const RobotDescription& robot,
   const auto add = [&](const std::string& name, const std::string& then, const std::string& now) {
     if (then != now) lines += "\n  " + name + ": " + then + " in the file, " + now + " now";
   };
-  const Options wanted = resultOptions(options);
+  Options wanted = resultOptions(options);
+  wanted.erase("from");
+  if (!options.from.empty()) wanted["from"] = warmStart(robot, options.from).name;
   std::set<std::string> names;
   for (const auto& [name, text] : stored.options) names.insert(name);
   for (const auto& [name, text] : wanted) names.insert(name);
   for (const std::string& name : names) {
-    if (!isBudget(name) && !isCheck(name))
+    const bool is_told = name != "from" || !options.from.empty();
+    if (!isBudget(name) && !isCheck(name) && is_told)
       add(name, textIn(stored.options, name), textIn(wanted, name));
   }
   add("robot", stored.robot_id, robot.digest);
@@ -44,6 +49,11 @@ std::map<std::int64_t, Execution> executionsOf(const std::vector<Entry>& entries
     if (entry.execution) by_id[entry.id] = *entry.execution;
   }
   return by_id;
+}
+
+std::string begunWith(const Repertoire& stored) {
+  const auto found = stored.options.find("from");
+  return found == stored.options.end() ? "" : found->second;
 }
 
 bool checksDiffer(const Options& stored, const Options& wanted) {
@@ -68,8 +78,12 @@ Resumed resume(const RobotDescription& robot, const LearnOptions& options) {
   }
   try {
     const Repertoire& repertoire = stored.repertoire;
-    return {checkpointFrom(stored), repertoire.history, executionsOf(repertoire.entries),
-            repertoire.facts, checksDiffer(repertoire.options, resultOptions(options))};
+    return {checkpointFrom(stored),
+            repertoire.history,
+            executionsOf(repertoire.entries),
+            repertoire.facts,
+            begunWith(repertoire),
+            checksDiffer(repertoire.options, resultOptions(options))};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(start + error.what() + hint);
   }

@@ -18,6 +18,7 @@ struct Resumed {
   std::vector<HistoryRow> history;
   std::map<std::int64_t, Execution> executions;  ///< by id, of the entries that have one
   std::map<std::string, std::string> facts;
+  std::string from;            ///< what names the entries that it began with, or empty
   bool checks_differ = false;  ///< its entries were checked otherwise than is asked for now
 };
 
@@ -26,7 +27,8 @@ struct Resumed {
 /// with; std::runtime_error as loadStoredRepertoire() does.
 ///
 /// Budgets and checks may differ: the same run may be given more evaluations, more time, more
-/// trials. It must not have fewer evaluations than were done already.
+/// trials. It must not have fewer evaluations than were done already. What it began with need not
+/// be told again.
 Resumed resume(const RobotDescription& robot, const LearnOptions& options);
 
 }  // namespace hexapod

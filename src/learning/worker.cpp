@@ -15,9 +15,9 @@ void declineWork(Channel& session, const std::string& problem) {
 
 void workFor(Channel& session, const RobotDescription& robot, const LearnOptions& options,
              const std::atomic<bool>& cancelled) {
-  const auto worlds =
-      std::make_shared<WorldPool>(chooseEngine(options.engine, robot).engine, robot,
-                                  nominalPhysics(options), static_cast<int>(options.threads));
+  const auto worlds = std::make_shared<WorldPool>(chooseEngine(options.engine, robot).engine, robot,
+                                                  nominalPhysics(robot, options),
+                                                  static_cast<int>(options.threads));
   CandidateEvaluator(worlds, suitedTo(robot, withBudget(options)), cancelled).serveFor(session);
 }
 

@@ -41,6 +41,12 @@ struct Repertoire {
   std::map<std::string, std::string> facts;    ///< what else is known of it, by name, as text
   std::vector<Entry> entries;
   std::vector<HistoryRow> history;
+
+  /// The text of the body it was learned for; empty: the robot as its files describe it.
+  std::string body() const {
+    const auto found = options.find("body");
+    return found == options.end() ? "" : found->second;
+  }
 };
 
 }  // namespace hexapod

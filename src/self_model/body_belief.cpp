@@ -46,11 +46,14 @@ BodyBelief::BodyBelief(std::shared_ptr<const Imagination> imagination, const Phy
       evidence_(imagination_->robot(), options),
       refinement_(imagination_, nominal_, evidence_),
       share_(kLikely) {
-  const std::size_t legs = imagination_->robot().legs.size();
-  const std::vector<LegState> intact(legs);
-  add({intact}, 0.0);
-  for (const BodyVector& mean : farOff()) add({intact}, kOtherwise, mean);
-  add(singleDamages(legs), kOneLeg);
+  const std::vector<LegState> intact(imagination_->robot().legs.size());
+  const std::vector<LegState> usual = nominal.legs.empty() ? intact : nominal.legs;
+  add({usual}, 0.0);
+  for (const BodyVector& mean : farOff()) add({usual}, kOtherwise, mean);
+  std::vector<std::vector<LegState>> others = singleDamages(intact.size());
+  others.push_back(intact);
+  others.erase(std::remove(others.begin(), others.end(), usual), others.end());
+  add(others, kOneLeg);
   checkThatSomeStand();
   order();
 }

@@ -23,8 +23,8 @@ namespace hexapod {
 /// Deterministic, whatever the number of threads. Used by one thread at a time.
 class BodyBelief {
  public:
-  /// Begins with an intact robot at its stand, heading 0, as the likely one. Throws
-  /// std::runtime_error when no body stands.
+  /// Begins with the body of `nominal`, the one learned for, at its stand, heading 0, as the likely
+  /// one. Throws std::runtime_error when no body stands.
   BodyBelief(std::shared_ptr<const Imagination> imagination, const Physics& nominal,
              const BeliefOptions& options);
 

@@ -1,10 +1,11 @@
 #include "self_model/learned_world.h"
 
 #include "common/options.h"
+#include "simulation/body_text.h"
 
 namespace hexapod {
 
-LearnedWorld learnedWorldOf(const Repertoire& repertoire) {
+LearnedWorld learnedWorldOf(const RobotDescription& robot, const Repertoire& repertoire) {
   LearnedWorld learned;
   std::vector<Option> wanted = declareOptions(learned.behavior);
   wanted.push_back(
@@ -15,6 +16,7 @@ LearnedWorld learnedWorldOf(const Repertoire& repertoire) {
     if (found != repertoire.options.end()) values[one.name] = optionValueFromText(found->second);
   }
   applyOptions(wanted, values, "repertoire");
+  learned.physics = bodyFromText(robot, repertoire.body(), learned.physics);
   return learned;
 }
 

@@ -12,8 +12,9 @@ struct LearnedWorld {
   Physics physics;
 };
 
-/// From the options that the repertoire keeps; defaults for those it does not. Throws
-/// std::invalid_argument when one is out of range.
-LearnedWorld learnedWorldOf(const Repertoire& repertoire);
+/// From the options that the repertoire keeps, the body it was learned for among them; defaults for
+/// those it does not. Throws std::invalid_argument when one is out of range, or is about another
+/// robot.
+LearnedWorld learnedWorldOf(const RobotDescription& robot, const Repertoire& repertoire);
 
 }  // namespace hexapod

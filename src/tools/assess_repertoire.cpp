@@ -6,11 +6,11 @@
 #include <stdexcept>
 
 #include "evaluation/assessment.h"
-#include "learning/learn_options.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/steadiness.h"
 #include "robot/dimensions.h"
 #include "robot/load_robot.h"
+#include "self_model/learned_world.h"
 #include "tools/command_line.h"
 #include "tools/package_files.h"
 
@@ -54,20 +54,6 @@ AssessOptions assessOptionsFrom(const std::vector<std::string>& words) {
   return options;
 }
 
-/// The options of the run that decide how its entries are played.
-LearnOptions optionsOf(const Repertoire& repertoire) {
-  LearnOptions learn;
-  std::vector<Option> wanted = declareOptions(learn.behavior);
-  wanted.push_back(option("step_s", learn.step_s, "s", "Step of the simulation.", 1e-4, 0.05));
-  std::map<std::string, OptionValue> values;
-  for (const Option& one : wanted) {
-    const auto found = repertoire.options.find(one.name);
-    if (found != repertoire.options.end()) values[one.name] = optionValueFromText(found->second);
-  }
-  applyOptions(wanted, values, "repertoire");
-  return learn;
-}
-
 void printRow(const std::string& name, const RepertoireMetrics& metrics, const std::string& rest) {
   std::printf("| %-16s | %7zu | %6.2f | %6.2f | %6.2f | %s |\n", name.c_str(), metrics.endings,
               100.0 * metrics.sparseness_m, kDegrees * metrics.median_error_in_region_rad,
@@ -82,18 +68,16 @@ std::string shiftText(const TrialResult& trial) {
 }
 
 void assess(const Repertoire& repertoire, const AssessOptions& options) {
-  const LearnOptions learned = optionsOf(repertoire);
   const RobotDescription robot = loadRobot(options.urdf, options.robot_config);
   if (robot.digest != repertoire.robot_id) {
     throw std::runtime_error("The repertoire was learned for another robot (" +
                              repertoire.robot_id + ") than that of " + options.urdf + " (" +
                              robot.digest + "); name its files with --urdf and --robot_config.");
   }
-  Physics nominal;
-  nominal.step_s = learned.step_s;
+  const LearnedWorld learned = learnedWorldOf(robot, repertoire);
   const EngineChoice engine = chooseEngine(options.engine, robot);
-  const auto pool =
-      std::make_shared<WorldPool>(engine.engine, robot, nominal, static_cast<int>(options.threads));
+  const auto pool = std::make_shared<WorldPool>(engine.engine, robot, learned.physics,
+                                                static_cast<int>(options.threads));
   std::vector<Entry> usable;
   for (const std::size_t i : steadyEntries(repertoire.entries, options.steadiness)) {
     usable.push_back(repertoire.entries[i]);
@@ -107,7 +91,7 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
            measure(expectedEndings(usable), RegionOfInterest().scaledBy(lengthScale(robot))),
            "     - |      - |     -");
   for (const TrialResult& trial :
-       resimulate(pool, learned.behavior, usable, heldOutTrials(robot, nominal))) {
+       resimulate(pool, learned.behavior, usable, heldOutTrials(robot, learned.physics))) {
     printRow(trial.name, trial.metrics, shiftText(trial));
   }
   // Without the return to the neutral pose there is nothing to chain.

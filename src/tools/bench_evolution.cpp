@@ -8,6 +8,7 @@
 #include "evolution/br_evolution.h"
 #include "tools/bench_cases.h"
 #include "tools/bench_machine.h"
+#include "tools/machine.h"
 
 namespace hexapod {
 

@@ -1,19 +1,12 @@
 #include "tools/bench_machine.h"
 
 #include <sys/resource.h>
-#include <time.h>
 
 #include "simulation/reduced/batch_stepper.h"
 #include "tools/machine.h"
 
 namespace hexapod {
 namespace {
-
-double seconds(clockid_t clock) {
-  timespec time = {};
-  clock_gettime(clock, &time);
-  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
-}
 
 std::string instructionSets() {
   std::string names;
@@ -37,12 +30,6 @@ std::string describeMachine() {
          "\nflags: " BENCH_FLAGS "\ninstruction sets: " +
          instructionSets() + "\n";
 }
-
-double threadCpu_s() { return seconds(CLOCK_THREAD_CPUTIME_ID); }
-
-double processCpu_s() { return seconds(CLOCK_PROCESS_CPUTIME_ID); }
-
-double wall_s() { return seconds(CLOCK_MONOTONIC); }
 
 double peakMemory_mb() {
   rusage usage = {};

@@ -8,15 +8,6 @@ namespace hexapod {
 /// line each.
 std::string describeMachine();
 
-/// Processor time of the calling thread [s].
-double threadCpu_s();
-
-/// Processor time of all threads of the process [s].
-double processCpu_s();
-
-/// Time on a clock that never goes back [s].
-double wall_s();
-
 /// Largest resident memory of the process so far [MB].
 double peakMemory_mb();
 

@@ -11,7 +11,7 @@
 #include "gait/behavior.h"
 #include "simulation/reduced/batch_rollout.h"
 #include "simulation/rollout.h"
-#include "tools/bench_machine.h"
+#include "tools/machine.h"
 
 namespace hexapod {
 

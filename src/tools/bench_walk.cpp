@@ -10,8 +10,8 @@
 
 #include "repertoire/repertoire_file.h"
 #include "robot/load_robot.h"
-#include "tools/bench_machine.h"
 #include "tools/command_line.h"
+#include "tools/machine.h"
 #include "tools/package_files.h"
 #include "tools/walk_bodies.h"
 #include "tools/walk_campaign.h"
@@ -36,10 +36,12 @@ std::vector<Option> declareOptions(BenchWalkOptions& options) {
   std::vector<Option> all = declareOptions(options.campaign);
   const std::vector<Option> others = {
       option("file", options.file, "The repertoire that is walked with."),
-      option("bodies", options.bodies,
-             "Names of bodies, comma separated; 'all'; or legs, as in 'left_middle: limp'."),
+      option(
+          "bodies", options.bodies,
+          "Bodies with semicolons between them, as in 'intact; left_middle: limp, friction: 0.7'; "
+          "all: those that the package is judged by."),
       option("adaptations", options.adaptations,
-             "Comma separated: none, deviation, self_model, told."),
+             "Comma separated: none, deviation, self_model, told, relearned."),
       option("write", options.write, "Markdown file to write the table to."),
       option("urdf", options.urdf, "Robot description."),
       option("robot_config", options.robot_config, "What the robot needs beside its URDF."),
@@ -53,20 +55,23 @@ std::string textOf(const CampaignRow& row, const std::string& body, const std::s
   std::snprintf(
       text, sizeof text,
       "| %s | %s | %lld of %lld | %.2f | %lld | %lld | %lld | %lld | %.1f | %.2f | %.1f | "
-      "%.1f |\n",
+      "%.1f | %.0f | %.0f |\n",
       body.c_str(), adaptation.c_str(), static_cast<long long>(row.arrived),
       static_cast<long long>(row.goals), row.behaviors, static_cast<long long>(row.given_up),
       static_cast<long long>(row.no_plan), static_cast<long long>(row.fell),
       static_cast<long long>(row.touched), 1e3 * row.off_m, kDegrees * row.off_rad,
-      100.0 * row.right_after_first, 100.0 * row.false_alarms);
+      100.0 * row.right_after_first, 100.0 * row.false_alarms, 1e3 * row.thought_s,
+      1e3 * row.most_thought_s);
   return text;
 }
 
 constexpr const char* kHeading =
     "| body | adaptation | arrived | behaviours per goal | given up | no plan | fell | legs "
     "touched "
-    "| prediction off, median [mm] | [deg] | legs right after the first [%] | false alarms [%] |\n"
-    "|---|---|---|---|---|---|---|---|---|---|---|---|\n";
+    "| prediction off, median [mm] | [deg] | legs right after the first [%] | false alarms [%] | "
+    "thought "
+    "per behaviour, one core: median [ms] | p95 [ms] |\n"
+    "|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n";
 
 int benchWalk(const std::vector<std::string>& words) {
   BenchWalkOptions options;

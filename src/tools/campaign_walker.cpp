@@ -4,18 +4,10 @@
 #include <cmath>
 
 #include "simulation/rollout.h"
+#include "tools/machine.h"
 
 namespace hexapod {
 namespace {
-
-// Polar method; the second value is thrown away.
-double normal(Random& random) {
-  for (;;) {
-    const double u = random.uniform(-1.0, 1.0), v = random.uniform(-1.0, 1.0);
-    const double square = u * u + v * v;
-    if (square > 0.0 && square < 1.0) return u * std::sqrt(-2.0 * std::log(square) / square);
-  }
-}
 
 bool isIntact(const std::vector<LegState>& legs) {
   return std::all_of(legs.begin(), legs.end(),
@@ -69,7 +61,9 @@ GoalWalk CampaignWalker::walkTo(const Pose2& goal, AdaptivePlanner& planner,
     request.world_from_start = measuredPose();
     walk.off_m.push_back(distance(step.world_from_end, request.world_from_start));
     walk.off_rad.push_back(headingDistance(step.world_from_end, request.world_from_start));
+    const double begin_s = threadCpu_s();
     planner.observe(step.entry, before, request.world_from_start);
+    walk.thought_s.push_back(threadCpu_s() - begin_s);
     if (self_model != nullptr) noteBelief(*self_model, walk);
   }
 }
@@ -82,9 +76,10 @@ bool CampaignWalker::arrived(const Pose2& goal) const {
 
 Pose2 CampaignWalker::measuredPose() {
   Pose2 measured = pose();
-  measured.x_m += options_.measurement_noise_m * normal(random_);
-  measured.y_m += options_.measurement_noise_m * normal(random_);
-  measured.yaw_rad = wrapAngle(measured.yaw_rad + options_.measurement_noise_rad * normal(random_));
+  measured.x_m += options_.measurement_noise_m * random_.normal();
+  measured.y_m += options_.measurement_noise_m * random_.normal();
+  measured.yaw_rad =
+      wrapAngle(measured.yaw_rad + options_.measurement_noise_rad * random_.normal());
   return measured;
 }
 

@@ -67,12 +67,14 @@ int learn(const EvolveOptions& options, SignalWatch& signals, Ranks& ranks) {
   for (const std::string& remark : robot.remarks) display.say(remark);
   LearningSession session(robot, options.learn, now, ranks.workers());
   signals.start([&session] { session.requestStop(); });
+  const std::string body = session.repertoire().body();
   display.say("Learning run " + session.repertoire().run_id + " into " +
-              options.learn.repertoire_file + ".");
+              options.learn.repertoire_file +
+              (body.empty() ? "." : ", for this body: " + body + "."));
   if (ranks.count() > 1) {
     display.say(std::to_string(ranks.count()) + " processes share the work.");
   }
-  sayUnlessEmpty(display, session.resumeRemark());
+  sayUnlessEmpty(display, session.startRemark());
   sayUnlessEmpty(display, session.engineRemark());
   LearningSession::Hooks hooks;
   hooks.progress = [&](const LearningSession& running) { display.show(running.status(), now()); };

@@ -5,8 +5,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "tools/bench_machine.h"
 #include "tools/bench_numbers.h"
+#include "tools/machine.h"
 #include "tools/touch_check.h"
 
 namespace hexapod {

@@ -3,8 +3,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "tools/bench_machine.h"
 #include "tools/bench_numbers.h"
+#include "tools/machine.h"
 
 namespace hexapod {
 namespace {

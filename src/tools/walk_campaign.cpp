@@ -1,10 +1,13 @@
 #include "tools/walk_campaign.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
 #include "common/random.h"
+#include "common/text.h"
+#include "learning/relearning.h"
 #include "planning/deviation.h"
 #include "simulation/world_pool.h"
 #include "tools/campaign_walker.h"
@@ -34,6 +37,7 @@ std::shared_ptr<Foresight> foresightFor(Adaptation adaptation, const RobotDescri
     case Adaptation::kSelfModel:
       return std::make_shared<SelfModel>(robot, learned, options);
     case Adaptation::kTold:
+    case Adaptation::kRelearned:
       break;
   }
   return std::make_shared<SelfModel>(robot, learned, options, body.physics);
@@ -64,11 +68,22 @@ std::vector<GoalWalk> walkOn(CampaignWalker& walker, const std::vector<Pose2>& g
   return walks;
 }
 
-double median(std::vector<double> values) {
+Repertoire relearnedFor(const RobotDescription& robot, const Repertoire& repertoire,
+                        const TrueBody& body, const CampaignOptions& campaign) {
+  RelearnOptions options;
+  options.evaluations = campaign.relearn_evaluations;
+  options.threads = campaign.threads;
+  const std::atomic<bool> never{false};
+  return *relearn(robot, repertoire, body.physics, options, never);
+}
+
+// The value below which `share` of the values lie; 0 when there are none.
+double quantile(std::vector<double> values, double share) {
   if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  const auto last = static_cast<double>(values.size() - 1);
+  const auto found = values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
+  std::nth_element(values.begin(), found, values.end());
+  return *found;
 }
 
 }  // namespace
@@ -92,12 +107,16 @@ std::vector<Option> declareOptions(CampaignOptions& options) {
       option("keep_belief", options.keep_belief,
              "Walk from goal to goal, each relative to where the robot stands, with what was "
              "learned on the way; the first goal is not counted."),
+      option("relearn_evaluations", options.relearn_evaluations,
+             "Candidates of the relearning in 'relearned', the old entries included.", 1,
+             100000000),
       option("engine", options.engine, "Engine of the world that is walked in.", engineNames()),
   };
 }
 
 const std::vector<std::string>& adaptationNames() {
-  static const std::vector<std::string> names = {"none", "deviation", "self_model", "told"};
+  static const std::vector<std::string> names = {"none", "deviation", "self_model", "told",
+                                                 "relearned"};
   return names;
 }
 
@@ -105,17 +124,19 @@ Adaptation adaptationFromText(const std::string& name) {
   const std::vector<std::string>& names = adaptationNames();
   const auto found = std::find(names.begin(), names.end(), name);
   if (found == names.end()) {
-    throw std::invalid_argument("'" + name +
-                                "' is no adaptation; expected none, deviation, self_model or "
-                                "told.");
+    throw std::invalid_argument("'" + name + "' is no adaptation; expected one of " +
+                                listed(names) + ".");
   }
   return static_cast<Adaptation>(found - names.begin());
 }
 
-std::vector<GoalWalk> walkToGoals(const RobotDescription& robot, const Repertoire& repertoire,
+std::vector<GoalWalk> walkToGoals(const RobotDescription& robot, const Repertoire& original,
                                   const TrueBody& body, Adaptation adaptation,
                                   const CampaignOptions& options) {
-  const LearnedWorld learned = learnedWorldOf(repertoire);
+  const Repertoire repertoire = adaptation == Adaptation::kRelearned
+                                    ? relearnedFor(robot, original, body, options)
+                                    : original;
+  const LearnedWorld learned = learnedWorldOf(robot, repertoire);
   Random random(static_cast<std::uint64_t>(options.seed));
   std::vector<Pose2> goals;
   for (std::int64_t i = 0; i < options.goals; ++i) {
@@ -147,7 +168,7 @@ std::vector<GoalWalk> walkToGoals(const RobotDescription& robot, const Repertoir
 
 CampaignRow summarize(const std::vector<GoalWalk>& walks) {
   CampaignRow row;
-  std::vector<double> off_m, off_rad;
+  std::vector<double> off_m, off_rad, thought_s;
   for (const GoalWalk& walk : walks) {
     ++row.goals;
     row.arrived += walk.end == GoalWalk::End::kArrived;
@@ -158,6 +179,7 @@ CampaignRow summarize(const std::vector<GoalWalk>& walks) {
     if (walk.end == GoalWalk::End::kArrived) row.behaviors += walk.behaviors;
     row.right_after_first += walk.right_after_first;
     row.false_alarms += walk.false_alarm;
+    thought_s.insert(thought_s.end(), walk.thought_s.begin(), walk.thought_s.end());
     for (std::size_t i = 2; i < walk.off_m.size(); ++i) {
       off_m.push_back(walk.off_m[i]);
       off_rad.push_back(walk.off_rad[i]);
@@ -166,8 +188,10 @@ CampaignRow summarize(const std::vector<GoalWalk>& walks) {
   row.behaviors /= static_cast<double>(std::max<std::int64_t>(row.arrived, 1));
   row.right_after_first /= static_cast<double>(row.goals);
   row.false_alarms /= static_cast<double>(row.goals);
-  row.off_m = median(off_m);
-  row.off_rad = median(off_rad);
+  row.off_m = quantile(off_m, 0.5);
+  row.off_rad = quantile(off_rad, 0.5);
+  row.thought_s = quantile(thought_s, 0.5);
+  row.most_thought_s = quantile(thought_s, 0.95);
   return row;
 }
 

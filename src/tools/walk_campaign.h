@@ -27,7 +27,8 @@ struct CampaignOptions {
   double measurement_noise_m = 0.0;    ///< standard deviation of a measured position, per axis
   double measurement_noise_rad = 0.0;  ///< and of a measured heading
   std::string engine = "reduced";      ///< of the world that is walked in
-  bool keep_belief = false;            ///< one walk from goal to goal; the first one is not counted
+  std::int64_t relearn_evaluations = 30000;
+  bool keep_belief = false;  ///< one walk from goal to goal; the first one is not counted
 };
 
 std::vector<Option> declareOptions(CampaignOptions& options);
@@ -37,7 +38,8 @@ enum class Adaptation {
   kNone,       ///< the repertoire is taken at its word
   kDeviation,  ///< one deviation of all behaviours
   kSelfModel,  ///< SelfModel, with a fresh belief for every goal
-  kTold        ///< SelfModel that is told the body: the ceiling
+  kTold,       ///< SelfModel that is told the body: the ceiling
+  kRelearned   ///< the same with the repertoire relearned for that body
 };
 const std::vector<std::string>& adaptationNames();
 Adaptation adaptationFromText(const std::string& name);
@@ -54,6 +56,9 @@ struct GoalWalk {
   End end = End::kGivenUp;
   int behaviors = 0;
   std::vector<double> off_m, off_rad;  ///< of the end poses from the predicted ones
+  /// Processor time that was spent on each behaviour after it: on the belief, on what it expects of
+  /// the repertoire, on the planner's tables; all in one thread.
+  std::vector<double> thought_s;
   /// The right legs, in whatever way, are believed out of order after the first behaviour.
   bool right_after_first = false;
   bool false_alarm = false;  ///< of an intact robot: once believed damaged
@@ -74,6 +79,8 @@ struct CampaignRow {
   double off_rad = 0.0;
   double right_after_first = 0.0;  ///< share of the goals
   double false_alarms = 0.0;
+  double thought_s = 0.0;       ///< median over all behaviours
+  double most_thought_s = 0.0;  ///< what 95 % of them stay below
 };
 CampaignRow summarize(const std::vector<GoalWalk>& walks);
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
 namespace hexapod {
@@ -32,6 +33,22 @@ TEST(Random, BelowStaysBelowAndReachesEveryValueAboutEquallyOften) {
   std::array<int, 5> counts{};
   for (int i = 0; i < 50000; ++i) ++counts.at(random.below(5));
   for (const int count : counts) EXPECT_NEAR(count, 10000, 400);  // over 4 standard deviations
+}
+
+TEST(Random, NormalHasMeanZeroAndDeviationOne) {
+  Random random(3);
+  double sum = 0.0, squares = 0.0;
+  int beyond_two = 0;
+  constexpr int kCount = 100000;
+  for (int i = 0; i < kCount; ++i) {
+    const double value = random.normal();
+    sum += value;
+    squares += value * value;
+    beyond_two += std::abs(value) > 2.0;
+  }
+  EXPECT_NEAR(sum / kCount, 0.0, 0.015);  // over 4 standard deviations
+  EXPECT_NEAR(squares / kCount, 1.0, 0.02);
+  EXPECT_NEAR(beyond_two, 0.0455 * kCount, 300);
 }
 
 TEST(Random, UniformStaysInItsInterval) {

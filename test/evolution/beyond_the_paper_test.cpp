@@ -28,6 +28,41 @@ RepertoireMetrics metricsOf(const BrEvolution& evolution) {
   return measure(learnedEndings(evolution.archive().entries()));
 }
 
+TEST(WarmStart, MakesTheFirstGenerationOfAllThatAreGiven) {
+  AnalyticEvaluator evaluator(7, kGenes);
+  EvolutionOptions options;
+  options.population_size = 10;
+  std::vector<Genome> given;
+  for (std::uint8_t level = 1; level <= 4; ++level) {
+    for (std::size_t gene = 0; gene < kGenes; gene += 2) {
+      given.push_back(Genome(kGenes, 0));
+      given.back()[gene] = level;
+    }
+  }
+  BrEvolution evolution(options, Task(kGenes), Random(3));
+  evolution.beginWith(given);
+  advance(evolution, evaluator);
+  EXPECT_EQ(evolution.counters().evaluations, static_cast<std::int64_t>(given.size()));
+  EXPECT_EQ(evolution.population().size(), 10u);
+  for (const Entry& entry : evolution.archive().entries()) {
+    EXPECT_EQ(std::count(given.begin(), given.end(), entry.genome), 1);
+  }
+  advance(evolution, evaluator);
+  EXPECT_EQ(evolution.counters().evaluations, static_cast<std::int64_t>(given.size()) + 10);
+  EXPECT_THROW(evolution.beginWith({Genome(kGenes + 1, 0)}), std::invalid_argument);
+}
+
+TEST(WarmStart, FillsItWithRandomOnesWhereTheyAreFew) {
+  AnalyticEvaluator evaluator(7, kGenes);
+  EvolutionOptions options;
+  options.population_size = 10;
+  BrEvolution evolution(options, Task(kGenes), Random(3));
+  evolution.beginWith({Genome(kGenes, 0)});
+  advance(evolution, evaluator);
+  EXPECT_EQ(evolution.counters().evaluations, 10);
+  EXPECT_EQ(evolution.population().size(), 10u);
+}
+
 TEST(Twins, CostNoEvaluationAndFillTheArchive) {
   SymmetricEvaluator evaluator;
   BrEvolution alone({}, pairs(), Random(1));

@@ -39,7 +39,7 @@ class ResumeTest : public LearningFixture {
   }
 
   std::string remark(const LearnOptions& options) {
-    return LearningSession(robot_, options, [this] { return now(); }).resumeRemark();
+    return LearningSession(robot_, options, [this] { return now(); }).startRemark();
   }
 };
 

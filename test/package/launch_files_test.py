@@ -73,7 +73,7 @@ def test_a_value_that_neither_file_nor_argument_gives_is_left_to_the_learner():
 @pytest.mark.parametrize("file", ["walk.launch", "demo.launch"])
 def test_whatever_is_wrong_with_the_simulated_robot_is_an_argument(file):
     config = pytest.importorskip("roslaunch.config")
-    wrong = {"disturb_legs": "left_middle: limp, right_rear: missing", "friction_scale": 0.7,
+    wrong = {"body": "left_middle: limp, right_rear: missing", "friction_scale": 0.7,
              "latency_s": 0.03}
     text = "{" + ", ".join(f"{name}: '{value}'" if isinstance(value, str) else f"{name}: {value}"
                            for name, value in wrong.items()) + "}"

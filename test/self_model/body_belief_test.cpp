@@ -39,6 +39,23 @@ TEST(BodyBelief, BeginsWithAnIntactRobot) {
   EXPECT_EQ(belief.bodies().size(), 1u + 24u + 6u * 4u);
 }
 
+TEST(BodyBelief, BeginsWithTheBodyThatWasLearnedFor) {
+  Physics learned;
+  learned.legs = legStatesFromText(shippedRobot(), "left_middle: locked");
+  learned.friction_scale = 0.8;
+  BodyBelief belief(imagination(), learned, BeliefOptions());
+  EXPECT_EQ(believed(belief), "left_middle: locked");
+  EXPECT_GT(belief.probability(0), 0.7);
+  EXPECT_EQ(belief.physicsOf(belief.bodies().front()).friction_scale, 0.8);
+  // As many as ever: an intact robot is one of the others.
+  EXPECT_EQ(belief.bodies().size(), 1u + 24u + 6u * 4u);
+  Physics repaired;
+  repaired.friction_scale = 0.8;
+  WalkedBody body("", repaired);
+  watch(body, 2, belief);
+  EXPECT_EQ(believed(belief), "intact");
+}
+
 TEST(BodyBelief, NamesALiftedLegAfterOneBehaviour) {
   for (const std::string leg : {"left_rear", "left_middle", "right_front"}) {
     WalkedBody body(leg + ": lifted");

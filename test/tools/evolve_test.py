@@ -116,6 +116,28 @@ def test_help_has_a_line_for_every_option():
         assert f"`{name}`" in result.stdout
 
 
+def test_begins_with_the_entries_of_another_file_in_another_body(tmp_path):
+    assert evolve("--file", tmp_path / "old.db", "--evaluations", 200, *SMALL).returncode == 0
+    again = ["--file", tmp_path / "new.db", "--from", tmp_path / "old.db", "--evaluations", 300]
+    result = evolve(*again, "--body", "left_middle: locked, friction: 0.8", *SMALL)
+    assert result.returncode == 0, result.stderr
+    assert "for this body: left_middle: locked, friction: 0.8." in result.stdout
+    assert f"Beginning with the entries of {tmp_path / 'old.db'}: " in result.stdout
+    assert len(kill_resume.entries(tmp_path / "new.db")) > 0
+
+
+@pytest.mark.parametrize("options, words", [
+    (("--body", "tail: limp"), "'tail' is nothing of a body; expected a leg (left_rear"),
+    (("--body", "friction: low"), "has no number after the colon"),
+    (("--from", "/nowhere/old.db"), "/nowhere/old.db"),
+])
+def test_says_what_is_wrong_with_a_body_or_a_beginning(tmp_path, options, words):
+    result = evolve("--file", tmp_path / "a.db", *options, *SMALL)
+    assert result.returncode in (1, 2)
+    assert words in result.stderr
+    assert not (tmp_path / "a.db").exists()
+
+
 def test_an_unknown_option_is_refused_with_the_nearest_name(tmp_path):
     result = evolve("--file", tmp_path / "a.db", "--evalutions", 100)
     assert result.returncode == 2

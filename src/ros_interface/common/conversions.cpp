@@ -1,5 +1,6 @@
 #include "ros_interface/common/conversions.h"
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -73,6 +74,14 @@ hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Ti
   message.entries.reserve(repertoire.entries.size());
   for (const Entry& entry : repertoire.entries) message.entries.push_back(toMsg(entry));
   return message;
+}
+
+std::string optionOf(const hexapod_repertoire::Repertoire& message, const std::string& name) {
+  const std::size_t count = std::min(message.option_names.size(), message.option_values.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (message.option_names[i] == name) return message.option_values[i];
+  }
+  return "";
 }
 
 Repertoire fromMsg(const hexapod_repertoire::Repertoire& message) {

@@ -20,6 +20,9 @@ namespace hexapod {
 /// The message of a repertoire, stamped `stamp`.
 hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp);
 
+/// An option of the run of a repertoire message; empty when it does not say.
+std::string optionOf(const hexapod_repertoire::Repertoire& message, const std::string& name);
+
 /// The repertoire of a message. Checks what arrives from a wire: throws std::invalid_argument
 /// naming the entry when it could not stand in a file either (see problemOf), or an id occurs
 /// twice.

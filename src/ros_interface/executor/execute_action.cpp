@@ -88,8 +88,11 @@ void ExecuteAction::onRepertoire(
     return;
   }
   publisher_.use(event.getPublisherName());
-  ROS_INFO_STREAM("Playing from run '" << message->run_id << "', " << behaviors_.entryCount()
-                                       << " entries.");
+  ROS_INFO_STREAM("Playing from run '"
+                  << message->run_id << "', " << behaviors_.entryCount() << " entries."
+                  << (behaviors_.body().empty()
+                          ? ""
+                          : " Learned for this body: " + behaviors_.body() + "."));
 }
 
 }  // namespace hexapod

@@ -4,6 +4,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "ros_interface/common/conversions.h"
+
 namespace hexapod {
 namespace {
 
@@ -35,6 +37,7 @@ std::string PlayableBehaviors::update(const hexapod_repertoire::Repertoire& mess
   }
   genomes_ = std::move(genomes);
   run_id_ = message.run_id;
+  body_ = optionOf(message, "body");
   problem_.clear();
   return "";
 }

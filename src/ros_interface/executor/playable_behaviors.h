@@ -29,6 +29,9 @@ class PlayableBehaviors {
 
   std::size_t entryCount() const { return genomes_.size(); }
 
+  /// The body they were learned for, as a text; empty: the robot as its files describe it.
+  const std::string& body() const { return body_; }
+
  private:
   using Genomes = std::unordered_map<std::int64_t, Genome>;
 
@@ -40,6 +43,7 @@ class PlayableBehaviors {
   BehaviorOptions options_;
   double duration_s_;
   std::string run_id_;
+  std::string body_;
   std::string problem_;  // why there is none
   Genomes genomes_;
 };

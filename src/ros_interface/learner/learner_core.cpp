@@ -56,7 +56,7 @@ LearnerCore::Answer LearnerCore::pause(bool pause) {
 int LearnerCore::run() {
   ROS_INFO_STREAM("Learning run " << run_id_ << ": " << session_.status().evaluations_budget
                                   << " evaluations into " << options_.learn.repertoire_file << ".");
-  if (!session_.resumeRemark().empty()) ROS_INFO_STREAM(session_.resumeRemark());
+  if (!session_.startRemark().empty()) ROS_INFO_STREAM(session_.startRemark());
   if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { onProgress(); };

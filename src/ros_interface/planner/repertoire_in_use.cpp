@@ -9,6 +9,15 @@
 
 namespace hexapod {
 
+namespace {
+
+std::string learnedFor(const Repertoire& repertoire) {
+  if (repertoire.body().empty()) return "";
+  return " It was learned for this body: " + repertoire.body() + ".";
+}
+
+}  // namespace
+
 RepertoireInUse::RepertoireInUse(const PlannerOptions& options, std::string robot_id,
                                  std::function<std::vector<std::string>()> publishers,
                                  ForesightFor foresight_for, PathsOf paths_of)
@@ -60,7 +69,8 @@ RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoir
   planner_ = fresh;
   return {true, "Planning with " + std::to_string(fresh->planner()->usableEntries()) + " of " +
                     std::to_string(fresh->repertoire().entries.size()) + " entries of run " +
-                    fresh->repertoire().run_id + ", published by " + publisher + "."};
+                    fresh->repertoire().run_id + ", published by " + publisher + "." +
+                    learnedFor(fresh->repertoire())};
 }
 
 }  // namespace hexapod

@@ -71,7 +71,7 @@ std::shared_ptr<Foresight> SelfImage::foresightFor(const Repertoire& repertoire)
   std::shared_ptr<Told> fresh;
   try {
     if (robot_ && robot_->digest == repertoire.robot_id) {
-      fresh = std::make_shared<Told>(*this, learnedWorldOf(repertoire));
+      fresh = std::make_shared<Told>(*this, learnedWorldOf(*robot_, repertoire));
     }
   } catch (const std::exception& error) {
     ROS_WARN_STREAM("The robot cannot simulate itself: " << error.what());

@@ -30,7 +30,7 @@ std::vector<std::size_t> allEntries(const Repertoire& repertoire) {
 class SimulatedPaths::Simulation {
  public:
   Simulation(const RobotDescription& robot, const Repertoire& repertoire)
-      : learned_(learnedWorldOf(repertoire)),
+      : learned_(learnedWorldOf(robot, repertoire)),
         worlds_(chooseEngine("reduced", robot).engine, robot, learned_.physics, kThreads) {}
 
   EntryPaths operator()(const std::vector<Genome>& genomes) {

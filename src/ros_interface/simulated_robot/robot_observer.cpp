@@ -7,17 +7,6 @@
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
-namespace {
-
-// Of twelve uniform numbers: standard deviation 1.
-double normal(Random& random) {
-  double sum = -6.0;
-  for (int i = 0; i < 12; ++i) sum += random.uniform();
-  return sum;
-}
-
-}  // namespace
-
 RobotObserver::RobotObserver(const RobotDescription& robot)
     : base_link_(robot.base_link),
       base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())),
@@ -50,7 +39,7 @@ void RobotObserver::fillJoints(const World& world) {
   for (std::size_t j = 0; j < angles_rad_.size(); ++j) {
     if (!reported_[j]) continue;
     report_.joints.name.push_back(joint_names_[j]);
-    report_.joints.position.push_back(angles_rad_[j] + noise_rad_ * normal(random_));
+    report_.joints.position.push_back(angles_rad_[j] + noise_rad_ * random_.normal());
   }
 }
 

@@ -13,6 +13,7 @@
 #include "ros_interface/common/names.h"
 #include "ros_interface/common/realtime.h"
 #include "ros_interface/simulated_robot/repertoire_check.h"
+#include "simulation/body_text.h"
 
 namespace hexapod {
 namespace {
@@ -33,6 +34,16 @@ Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& r
   return choice.engine;
 }
 
+Disturbance fromTheStart(const SimulatedRobotOptions& options, const RobotDescription& robot) {
+  Disturbance disturbance = options.disturbance;
+  Physics& physics = disturbance.physics;
+  physics = bodyFromText(robot, options.body, physics);
+  // Commands are delayed here, not by the world.
+  disturbance.latency_s += physics.command_latency_s;
+  physics.command_latency_s = 0.0;
+  return disturbance;
+}
+
 }  // namespace
 
 SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
@@ -41,8 +52,8 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
     : options_(options),
       engine_(engineFor(options, robot)),
       robot_(robot),
-      started_with_(options.disturbance),
-      timer_({secondsToNs(options.disturbance.physics.step_s), options.real_time_factor,
+      started_with_(fromTheStart(options, robot)),
+      timer_({secondsToNs(started_with_.physics.step_s), options.real_time_factor,
               options.publish_clock},
              clock_),
       commands_(robot, secondsToNs(options.command_latency_s)),
@@ -58,9 +69,11 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
       pause_service_(private_node.advertiseService("pause", &SimulatedRobotNode::onPause, this)),
       disturb_service_(
           private_node.advertiseService("disturb", &SimulatedRobotNode::onDisturb, this)) {
-  world_ = makeWorld(engine_, robot, started_with_.physics);
+  // It is stood up with all its legs.
+  Physics standing = started_with_.physics;
+  standing.legs.clear();
+  world_ = makeWorld(engine_, robot, standing);
   stand_ = world_->state();
-  started_with_.physics.legs = legStatesFromText(robot, options.disturb_legs);
   disturb(started_with_);
   updater_.setHardwareID("simulated hexapod");
   updater_.add("simulation", this, &SimulatedRobotNode::report);

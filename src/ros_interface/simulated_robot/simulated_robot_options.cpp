@@ -33,9 +33,10 @@ std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
       option("torque_scale", physics.torque_scale, "", "Times every joint's torque.", 0.0, 100.0),
       option("slope_x_rad", physics.slope_x_rad, "rad", "The floor rises toward +x.", -1.0, 1.0),
       option("slope_y_rad", physics.slope_y_rad, "rad", "The floor rises toward +y.", -1.0, 1.0),
-      option("disturb_legs", options.disturb_legs,
-             "Legs that are out of order from the start: 'left_middle: limp, right_rear: lifted'; "
-             "locked, lifted, limp or missing."),
+      option("body", options.body,
+             "What is otherwise about the body from the start: 'left_middle: limp, friction: 0.7'; "
+             "legs are locked, lifted, limp or missing; by degrees friction, mass, gain, torque, "
+             "slope_x, slope_y, latency."),
       option("latency_s", disturbance.latency_s, "s",
              "Commands act so much later than command_latency_s lets them.", 0.0, 1.0),
       option("dropped_share", disturbance.dropped_share, "", "Share of the commands that is lost.",

@@ -16,8 +16,8 @@ struct SimulatedRobotOptions {
   bool publish_clock = false;
   double command_latency_s = 0.060;
   bool realtime = true;
-  std::string disturb_legs;  ///< as legStatesFromText()
-  Disturbance disturbance;   ///< from the start
+  std::string body;         ///< as bodyFromText()
+  Disturbance disturbance;  ///< from the start
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

@@ -1,0 +1,63 @@
+#include "learning/relearning.h"
+
+#include <map>
+#include <string>
+#include <utility>
+
+#include "evolution/evaluator.h"
+#include "learning/checks.h"
+#include "learning/learning_run.h"
+#include "simulation/body_text.h"
+
+namespace hexapod {
+namespace {
+
+// As the repertoire was learned, as far as it tells.
+LearnOptions learnedWith(const Repertoire& repertoire) {
+  LearnOptions options;
+  const std::vector<Option> known = declareOptions(options);
+  std::map<std::string, OptionValue> values;
+  for (const Option& one : known) {
+    const auto found = repertoire.options.find(one.name);
+    if (found != repertoire.options.end()) values[one.name] = optionValueFromText(found->second);
+  }
+  applyOptions(known, values, "repertoire");
+  return options;
+}
+
+LearnOptions optionsFor(const RobotDescription& robot, const Repertoire& repertoire,
+                        const Physics& body, const RelearnOptions& relearn) {
+  LearnOptions options = learnedWith(repertoire);
+  Physics level;
+  level.step_s = options.step_s;
+  options.body = bodyText(robot, body, level);
+  options.evaluations = relearn.evaluations;
+  options.time_budget_s = 0.0;
+  options.threads = relearn.threads;
+  options.verify_with_ode = options.resimulate = false;
+  return options;
+}
+
+}  // namespace
+
+std::optional<Repertoire> relearn(const RobotDescription& robot, const Repertoire& repertoire,
+                                  const Physics& body, const RelearnOptions& options,
+                                  const std::atomic<bool>& cancelled) {
+  RunStart start;
+  start.warm = warmStart(robot, repertoire, "run " + repertoire.run_id);
+  LearningRun run(robot, optionsFor(robot, repertoire, body, options), start, cancelled, {});
+  try {
+    while (run.budgetIsLeft()) run.step();
+  } catch (const EvaluationCancelled&) {
+    return std::nullopt;
+  }
+  for (const Check& check : checks()) {
+    if (!check.is_wanted(run)) continue;
+    const std::optional<Findings> found = check.find(run, {{}, cancelled});
+    if (!found) return std::nullopt;
+    run.add(*found);
+  }
+  return run.repertoire();
+}
+
+}  // namespace hexapod
