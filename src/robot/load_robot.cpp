@@ -26,6 +26,7 @@ RobotDescription parseRobot(const std::string& urdf_text, const std::string& yam
   problems.throwIfAny();
   RobotDescription robot = assembleRobot({*model, config, urdf_name, yaml_name}, problems);
   problems.throwIfAny();
+  applyScales(config.calibration, robot);
   robot.digest = digestOf(robot);
   return robot;
 }

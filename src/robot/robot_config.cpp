@@ -123,6 +123,17 @@ void readFailure(YamlSection section, RobotConfig& config) {
   section.finish();
 }
 
+// What calibration found (calibration/calibrated_robot.h); left out where there was none.
+void readCalibration(YamlSection& root, RobotScales& scales) {
+  if (!root.has("calibration")) return;
+  YamlSection section = root.section("calibration");
+  scales.friction = section.number("friction_scale", 0.05, 20.0, "");
+  scales.servo_gain = section.number("servo_gain_scale", 0.05, 20.0, "");
+  scales.torque = section.number("torque_scale", 0.05, 20.0, "");
+  scales.mass = section.number("mass_scale", 0.05, 20.0, "");
+  section.finish();
+}
+
 std::string readForward(YamlSection& root) {
   if (!root.has("forward")) return "x";
   const std::string axis = root.text("forward");
@@ -146,6 +157,7 @@ RobotConfig parseRobotConfig(const std::string& text, const std::string& source,
     config.servo = readServo(root.section("servo"));
     readContact(root.section("contact"), config);
     readFailure(root.section("failure"), config);
+    readCalibration(root, config.calibration);
     root.finish();
   } catch (const YAML::Exception& error) {
     problems.add(source, "line " + std::to_string(error.mark.line + 1) +

@@ -5,6 +5,7 @@
 
 #include "common/problems.h"
 #include "robot/robot_description.h"
+#include "robot/robot_scales.h"
 
 namespace hexapod {
 
@@ -31,6 +32,7 @@ struct RobotConfig {
   Servo servo;
   Contact contact;
   FailureRules failure;
+  RobotScales calibration;  ///< applied to all that the files say
   bool has_slip = false;
   bool has_soft_cfm = false;
   bool has_max_base_height = false;

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "common/text.h"
+#include "robot/robot_scales.h"
 
 namespace hexapod {
 namespace {
@@ -14,11 +15,6 @@ void checkRange(const char* name, double value, double min, double max) {
   throw std::invalid_argument("Physics value " + std::string(name) + " must be between " +
                               numberText(min) + " and " + numberText(max) + ", found " +
                               numberText(value) + ".");
-}
-
-void scaleBody(Body& body, double scale) {
-  body.mass_kg *= scale;
-  body.inertia_kg_m2 *= scale;
 }
 
 // What gears and friction of a servo without power resist with, as a share of its torque.
@@ -50,7 +46,7 @@ void damage(Leg& leg, LegCondition condition) {
       segment.joint.max_torque_nm *= kLimpTorqueShare;
       segment.joint.max_velocity_rad_per_s = 0.0;
     } else if (condition == LegCondition::kMissing) {
-      scaleBody(segment.body, kMissingMassShare);
+      scaleMass(kMissingMassShare, segment.body);
       segment.body.shapes.clear();
     }
   }
@@ -76,14 +72,12 @@ void checkPhysics(const Physics& physics) {
 RobotDescription underPhysics(const RobotDescription& robot, const Physics& physics) {
   checkBody(robot, physics);
   RobotDescription scaled = robot;
-  scaled.contact.friction *= physics.friction_scale;
-  scaled.servo.gain_per_s *= physics.servo_gain_scale;
-  scaleBody(scaled.base, physics.mass_scale);
+  applyScales(
+      {physics.friction_scale, physics.servo_gain_scale, physics.torque_scale, physics.mass_scale},
+      scaled);
   std::size_t joint = 0;
   for (std::size_t i = 0; i < scaled.legs.size(); ++i) {
     for (Segment& segment : scaled.legs[i].segments) {
-      scaleBody(segment.body, physics.mass_scale);
-      segment.joint.max_torque_nm *= physics.torque_scale;
       if (!physics.joint_torque_scales.empty()) {
         segment.joint.max_torque_nm *= physics.joint_torque_scales[joint];
       }

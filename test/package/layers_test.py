@@ -21,6 +21,7 @@ STRANGERS = [
     ("learning", {"study"}),
     ("planning", {"evolution", "simulation", "evaluation", "learning", "study", "self_model"}),
     ("self_model", {"evolution", "evaluation", "learning", "study", "execution"}),
+    ("calibration", {"evolution", "evaluation", "learning", "study", "execution"}),
     ("execution", {"evolution", "simulation", "evaluation", "learning", "study", "self_model"}),
     ("ros_interface/common", {"simulation", "evolution", "evaluation", "learning", "planning",
                               "execution"}),

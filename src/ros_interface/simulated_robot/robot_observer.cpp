@@ -7,6 +7,7 @@
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
+
 RobotObserver::RobotObserver(const RobotDescription& robot)
     : base_link_(robot.base_link),
       base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())),
