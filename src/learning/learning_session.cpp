@@ -23,21 +23,23 @@ std::string claimed(const LearnOptions& options) {
   return options.repertoire_file;
 }
 
+/// Before the file is claimed: nothing is left where there is nothing to begin with.
 RunStart newRun(const RobotDescription& robot, const LearnOptions& options) {
   RunStart start;
   if (!options.from.empty()) start.warm = warmStart(robot, options.from);
   return start;
 }
 
-RunStart startOf(const RobotDescription& robot, const LearnOptions& options,
-                 const Checkpointer& checkpointer) {
+/// `start`, or the run in the file where it is to be gone on with.
+const RunStart& decided(RunStart& start, const RobotDescription& robot, const LearnOptions& options,
+                        const Checkpointer& checkpointer) {
   if (options.resume && options.overwrite) {
     throw std::invalid_argument(
         "'resume' and 'overwrite' are both true; set one of them to false: a run is either gone on "
         "with or replaced.");
   }
-  if (!checkpointer.holdsRepertoire() || options.overwrite) return newRun(robot, options);
-  if (options.resume) return {resume(robot, options), std::nullopt};
+  if (!checkpointer.holdsRepertoire() || options.overwrite) return start;
+  if (options.resume) return start = {resume(robot, options), std::nullopt};
   throw std::runtime_error(
       options.repertoire_file +
       " holds a repertoire already. Nothing was changed: choose another "
@@ -51,9 +53,9 @@ LearningSession::LearningSession(const RobotDescription& robot, const LearnOptio
                                  Stopwatch clock, const DistributedEvaluator::Workers& workers)
     : options_(suitedTo(robot, withBudget(options))),
       clock_(std::move(clock)),
+      start_(newRun(robot, options_)),
       checkpointer_(claimed(options_), options_.checkpoint_period_s, clock_),
-      start_(startOf(robot, options_, checkpointer_)),
-      run_(robot, options_, start_, stop_, workers),
+      run_(robot, options_, decided(start_, robot, options_, checkpointer_), stop_, workers),
       phase_(run_.phaseFound()) {}
 
 std::string LearningSession::startRemark() const {

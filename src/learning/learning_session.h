@@ -112,8 +112,8 @@ class LearningSession {
   Stopwatch clock_;
   std::atomic<bool> stop_{false};
   mutable FairMutex mutex_;  // whoever changes run_ or phase_, or uses checkpointer_, has it
-  Checkpointer checkpointer_;
   RunStart start_;
+  Checkpointer checkpointer_;
   LearningRun run_;
   LearningPhase phase_;
   double lap_s_ = 0.0;  // up to here time spent evolving is counted

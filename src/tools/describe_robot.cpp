@@ -1,5 +1,5 @@
-// Prints a robot as URDF and YAML describe it, as YAML: its name and id, and per leg the joints with
-// their part in the gait and where the foot goes for each signal.
+// Prints a robot as URDF and YAML describe it, as YAML: its name and id, and per leg the joints
+// with their part in the gait and where the foot goes for each signal.
 #include <yaml-cpp/yaml.h>
 
 #include <exception>

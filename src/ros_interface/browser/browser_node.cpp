@@ -93,7 +93,7 @@ void BrowserNode::standAt(const Pose2& pose) {
 void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& message) {
   try {
     repertoire_ = fromMsg(*message);
-    learned_ = learnedWorldOf(repertoire_);
+    learned_ = learnedWorldOf(robot_, repertoire_);
   } catch (const std::exception& error) {
     ROS_ERROR_STREAM("The repertoire cannot be shown: " << error.what());
     return;

@@ -78,7 +78,8 @@ void RobotObserver::fillTransforms(const Eigen::Isometry3d& world_from_base, con
   const Eigen::Isometry3d footprint_from_base = odom_from_footprint.inverse() * world_from_base;
   report_.transforms = {
       toTransformMsg(odom_from_footprint, names::kOdomFrame, names::kFootprintFrame, stamp),
-      toTransformMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_, stamp)};
+      toTransformMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_,
+                     stamp)};
 }
 
 }  // namespace hexapod
