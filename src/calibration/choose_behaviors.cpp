@@ -47,9 +47,10 @@ std::vector<Candidate> candidatesOf(const Imagination& imagination, const Physic
     if (!walks(middle) || !std::all_of(sides.begin(), sides.end(), walks)) continue;
     Eigen::Matrix<double, 3, kBodyParameters> change;
     for (int j = 0; j < kBodyParameters; ++j) {
+      const std::size_t side = 2 * static_cast<std::size_t>(j);
       change.col(j) =
           0.5 *
-          difference(sides[2 * j][i].end_pose, sides[2 * j + 1][i].end_pose).cwiseQuotient(noise);
+          difference(sides[side][i].end_pose, sides[side + 1][i].end_pose).cwiseQuotient(noise);
     }
     candidates.push_back({i, middle[i].end_pose, change.transpose() * change});
   }

@@ -46,7 +46,7 @@ std::vector<Outcome> BehaviorEvaluator::evaluate(const std::vector<Genome>& geno
     std::vector<BatchRun> runs;
     for (const Behavior& behavior : behaviors) runs.push_back({&behavior, nullptr});
     const std::vector<Outcome> played = playEach(world, runs, options_.command_period_s);
-    std::copy(played.begin(), played.end(), outcomes.begin() + begin);
+    std::copy(played.begin(), played.end(), outcomes.data() + begin);
   });
   for (const Outcome& outcome : outcomes) count(outcome, counts_);
   return outcomes;

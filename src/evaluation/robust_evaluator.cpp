@@ -33,7 +33,7 @@ Genome randomGenome(std::size_t gene_count, Random& random) {
 
 }  // namespace
 
-RobustEvaluator::RobustEvaluator(Evaluator& nominal, std::shared_ptr<WorldPool> pool,
+RobustEvaluator::RobustEvaluator(Evaluator& nominal, const std::shared_ptr<WorldPool>& pool,
                                  const BehaviorOptions& behavior, const RobustnessOptions& options,
                                  std::uint64_t seed, const std::atomic<bool>* cancelled)
     : nominal_(&nominal),

@@ -27,7 +27,7 @@ class RobustEvaluator : public Evaluator {
  public:
   /// Nominal physics are the pool's. Throws std::invalid_argument when options do not fit.
   /// `nominal` and `cancelled`, if given, must outlive the evaluator.
-  RobustEvaluator(Evaluator& nominal, std::shared_ptr<WorldPool> pool,
+  RobustEvaluator(Evaluator& nominal, const std::shared_ptr<WorldPool>& pool,
                   const BehaviorOptions& behavior, const RobustnessOptions& options,
                   std::uint64_t seed, const std::atomic<bool>* cancelled = nullptr);
 

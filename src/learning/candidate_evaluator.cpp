@@ -25,7 +25,7 @@ std::string nameOfWork(const RobotDescription& robot, LearnOptions options) {
 
 }  // namespace
 
-CandidateEvaluator::CandidateEvaluator(std::shared_ptr<WorldPool> worlds,
+CandidateEvaluator::CandidateEvaluator(const std::shared_ptr<WorldPool>& worlds,
                                        const LearnOptions& options,
                                        const std::atomic<bool>& cancelled,
                                        const DistributedEvaluator::Workers& workers)

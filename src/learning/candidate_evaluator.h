@@ -20,7 +20,7 @@ class CandidateEvaluator {
   /// runs on simulated outcomes only. None, too, of a body with a leg out of order, or on a slope.
   /// Waits for the workers (see DistributedEvaluator). Throws std::invalid_argument when options do
   /// not fit.
-  CandidateEvaluator(std::shared_ptr<WorldPool> worlds, const LearnOptions& options,
+  CandidateEvaluator(const std::shared_ptr<WorldPool>& worlds, const LearnOptions& options,
                      const std::atomic<bool>& cancelled,
                      const DistributedEvaluator::Workers& workers = {});
 
