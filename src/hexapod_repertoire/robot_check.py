@@ -90,8 +90,9 @@ def look(programs: pathlib.Path) -> int:
     findings += preflight.judge_timers(preflight.usb_timers())
     print(preflight.table(findings))
     problem = preflight.first_problem(findings)
+    ready = "" if state.state == ExecutorState.READY else "to be armed: ./run arm; then"
     print(f"Not ready: {problem.subject}: {problem.text}." if problem else
-          "Ready to be armed: ./run arm; then, feet off the floor, ./run joint_check.")
+          f"Ready{ready and ' ' + ready}: with its feet off the floor, ./run joint_check.")
     return 1 if problem else 0
 
 

@@ -48,7 +48,7 @@ def test_a_good_robot_is_ready(session):
     code, text = check("preflight")
     assert code == 0, text
     assert "/simulated_robot listens to /joint_command" in text
-    assert "Ready to be armed" in text
+    assert "Ready: with its feet off the floor" in text
 
 
 def test_a_second_teller_is_found(session):
