@@ -88,8 +88,8 @@ void BehaviorGoals::abort(const std::string& why) {
   end(result);
 }
 
+// The behaviour stays until another is taken: of a goal that was aborted the executor plays on.
 void BehaviorGoals::end(const Result& result) {
-  behavior_.reset();
   std::exchange(sender_, nullptr)->ended(result);
 }
 
