@@ -89,8 +89,6 @@ void BehaviorGoals::abort(const std::string& why) {
 }
 
 // The behaviour stays until another is taken: of a goal that was aborted the executor plays on.
-void BehaviorGoals::end(const Result& result) {
-  std::exchange(sender_, nullptr)->ended(result);
-}
+void BehaviorGoals::end(const Result& result) { std::exchange(sender_, nullptr)->ended(result); }
 
 }  // namespace hexapod
