@@ -8,7 +8,6 @@ from typing import Any, Dict, Iterable, List, NamedTuple, Optional, Sequence, Tu
 
 OK, WARNING, PROBLEM = "ok", "look", "WRONG"
 LOOK_S = 2.0
-SLOWEST_HZ = 5.0
 OLDEST_S = 0.5
 FASTEST_TIMER_MS = 1
 
@@ -29,9 +28,15 @@ class Reading(NamedTuple):
     positions: Tuple[float, ...]
 
 
-def judge_joints(readings: Sequence[Reading], expected: Sequence[str],
-                 looked_s: float) -> List[Finding]:
-    """What is to be said of joint_states for the joints that are expected on the wire."""
+def judge_joints(readings: Sequence[Reading], expected: Sequence[str], looked_s: float,
+                 timeout_s: Optional[float]) -> List[Finding]:
+    """What is to be said of joint_states for the joints that are expected on the wire.
+
+    timeout_s: the executor's feedback_timeout_s, None where it has its default.
+    """
+    if timeout_s == 0.0:
+        return [Finding(WARNING, "joint_states", "nobody looks at them (feedback_timeout_s: 0): no "
+                        "joint that does not follow is noticed")]
     if not readings:
         return [Finding(PROBLEM, "joint_states", f"nothing came in {looked_s:.0f} s: start the "
                         "servo driver; a robot without feedback needs feedback_timeout_s: 0")]
@@ -57,9 +62,11 @@ def judge_joints(readings: Sequence[Reading], expected: Sequence[str],
     rates = {name: times[name] / looked_s for name in expected if name in times}
     if rates:
         slowest = min(rates, key=lambda name: rates[name])
-        verdict = OK if rates[slowest] >= SLOWEST_HZ else PROBLEM
-        findings.append(Finding(verdict, "rate", f"{rates[slowest]:.0f} Hz for {slowest}, the "
-                                f"slowest; {SLOWEST_HZ:.0f} Hz are needed"))
+        is_slow = timeout_s is not None and rates[slowest] * timeout_s < 1.0
+        findings.append(Finding(PROBLEM if is_slow else OK, "rate",
+                                f"{rates[slowest]:.0f} Hz for {slowest}, the slowest" + (
+                                    f": too seldom for feedback_timeout_s: {timeout_s}"
+                                    if is_slow else "")))
     findings += judge_values(readings) + judge_ages(readings)
     return findings
 

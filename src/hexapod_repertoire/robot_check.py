@@ -11,18 +11,15 @@ import yaml
 from sensor_msgs.msg import JointState
 
 from hexapod_repertoire import joint_check, preflight
+from hexapod_repertoire.client import INTERRUPTED, PATIENCE_S, STATES
 from hexapod_repertoire.msg import (ExecuteBehaviorAction, ExecuteBehaviorGoal,
                                     ExecuteBehaviorResult, ExecutorState)
 from hexapod_repertoire.waiting import Asker, Latest, Silence
 
-INTERRUPTED = 130
-PATIENCE_S = 3.0
 COMMAND_TYPES = {"sensor_msgs/JointState", "trajectory_msgs/JointTrajectory",
                  "std_msgs/Float64MultiArray", "std_msgs/Float64"}
 NO_EXECUTOR = ("No executor answers on executor/state; start one for your robot: ./run walk "
                "simulated:=false, with its urdf_file, robot_config and executor_config.")
-STATES = {value: name for name, value in vars(ExecutorState).items()
-          if name.isupper() and isinstance(value, int)}
 
 
 def parser() -> argparse.ArgumentParser:
@@ -86,7 +83,8 @@ def look(programs: pathlib.Path) -> int:
                                   f"{STATES[state.state]}: {state.reason}")]
     findings += preflight.judge_listeners(listeners())
     findings += preflight.judge_joints(ear.listen(preflight.LOOK_S), names_on_the_wire(robot),
-                                       preflight.LOOK_S)
+                                       preflight.LOOK_S,
+                                       rospy.get_param("executor/feedback_timeout_s", None))
     findings += preflight.judge_timers(preflight.usb_timers())
     print(preflight.table(findings))
     problem = preflight.first_problem(findings)

@@ -71,37 +71,42 @@ def verdicts(findings):
 
 
 def test_a_good_driver_has_nothing_wrong():
-    findings = preflight.judge_joints(readings(), JOINTS, 2.0)
+    findings = preflight.judge_joints(readings(), JOINTS, 2.0, 0.5)
     assert preflight.first_problem(findings) is None
-    assert verdicts(findings)["rate"] == (preflight.OK,
-                                          "20 Hz for hip_l, the slowest; 5 Hz are needed")
+    assert verdicts(findings)["rate"] == (preflight.OK, "20 Hz for hip_l, the slowest")
 
 
 def test_drivers_per_leg_are_one_robot():
     per_leg = readings(names=("hip_l",), positions=(0.1,), publisher="/a") + readings(
         names=("knee_l",), positions=(0.1,), publisher="/b")
-    assert preflight.first_problem(preflight.judge_joints(per_leg, JOINTS, 2.0)) is None
+    assert preflight.first_problem(preflight.judge_joints(per_leg, JOINTS, 2.0, 0.5)) is None
 
 
 @pytest.mark.parametrize("heard, subject, told", [
     ([], "joint_states", "nothing came"),
     (readings(names=("hip_l", "other")), "names", "nobody tells knee_l; told are also other"),
     (readings() + readings(publisher="/gui"), "publishers", "/driver, /gui all tell hip_l, knee_l"),
-    (readings(rate_hz=2.0), "rate", "2 Hz for hip_l"),
+    (readings(rate_hz=1.0), "rate", "1 Hz for hip_l, the slowest: too seldom for "
+     "feedback_timeout_s: 0.5"),
     (readings(positions=(0.1,)), "positions", "2 names and 1 positions"),
     (readings(positions=(0.1, math.nan)), "positions", "knee_l is at nan"),
     (readings(age_s=3600.0), "stamps", "3600.0 s old"),
     (readings(age_s=-7.0), "stamps", "7.0 s ahead"),
 ])
 def test_what_is_wrong_is_named(heard, subject, told):
-    findings = preflight.judge_joints(heard, JOINTS, 2.0)
+    findings = preflight.judge_joints(heard, JOINTS, 2.0, 0.5)
     assert verdicts(findings)[subject][0] == preflight.PROBLEM
     assert told in verdicts(findings)[subject][1]
     assert preflight.first_problem(findings) is not None
 
 
+def test_a_robot_without_feedback_is_told_what_that_means():
+    finding, = preflight.judge_joints([], JOINTS, 2.0, 0.0)
+    assert finding.verdict == preflight.WARNING and "feedback_timeout_s: 0" in finding.text
+
+
 def test_no_stamps_are_worth_a_look():
-    findings = preflight.judge_joints(readings(age_s=math.nan), JOINTS, 2.0)
+    findings = preflight.judge_joints(readings(age_s=math.nan), JOINTS, 2.0, 0.5)
     assert verdicts(findings)["stamps"][0] == preflight.WARNING
 
 
