@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/random.h"
+#include "repertoire/metrics.h"
 
 namespace hexapod {
 namespace {
@@ -153,12 +154,6 @@ class Search {
   Point best_;
 };
 
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 }  // namespace
 
 FittedBody fitBody(const TrialChain& chain, const FitOptions& options) {
@@ -176,7 +171,7 @@ MedianMiss medianOf(const std::vector<Eigen::Vector3d>& misses) {
     positions_m.push_back(miss.allFinite() ? miss.head<2>().norm() : never);
     headings_rad.push_back(miss.allFinite() ? std::abs(miss.z()) : never);
   }
-  return {median(positions_m), median(headings_rad)};
+  return {*median(positions_m), *median(headings_rad)};
 }
 
 }  // namespace hexapod

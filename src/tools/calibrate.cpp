@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <set>
 #include <stdexcept>
 
@@ -17,6 +15,7 @@
 #include "tools/calibration_draws.h"
 #include "tools/command_line.h"
 #include "tools/package_files.h"
+#include "tools/text_file.h"
 
 namespace hexapod {
 namespace {
@@ -77,19 +76,6 @@ std::vector<Option> declareOptions(CalibrateOptions& options) {
       option("help", options.help, "Print this text.")};
 }
 
-std::string contentOf(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(file + " cannot be read; check the path.");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-void write(const std::string& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(file + " cannot be written; check the path.");
-}
-
 // A pose is measured before and after.
 FitOptions fitOptions(const CalibrateOptions& options) {
   FitOptions fit = options.fit;
@@ -127,11 +113,11 @@ std::vector<Trial> planOf(const CalibrateOptions& options, const CalibrationSett
 void writeResult(const CalibrateOptions& options, const RobotDescription& robot,
                  const Calibration& calibration) {
   const std::string report = reportOf(calibration, robot.name);
-  const std::string yaml = calibratedYaml(contentOf(options.robot_config), options.robot_config,
+  const std::string yaml = calibratedYaml(textOfFile(options.robot_config), options.robot_config,
                                           scalesOf(calibration.fitted.mean));
-  write(options.output + ".yaml", yaml);
-  write(options.output + ".md", report);
-  write(options.output + ".json", pictureData(calibration, robot.name));
+  writeTextFile(options.output + ".yaml", yaml);
+  writeTextFile(options.output + ".md", report);
+  writeTextFile(options.output + ".json", pictureData(calibration, robot.name));
   std::cout << report << "\nWrote " << options.output << ".yaml and .md. To learn for this robot:\n"
             << "./run evolve --robot_config " << options.output << ".yaml --from " << options.file
             << " --file new.db\n";

@@ -5,6 +5,7 @@
 #include <ostream>
 
 #include "common/text.h"
+#include "repertoire/metrics.h"
 
 namespace hexapod {
 namespace {
@@ -22,12 +23,6 @@ std::string scalesText(const BodyVector& body) {
 std::string missText(const MedianMiss& miss) {
   return fixedText(1e3 * miss.position_m, 1) + " mm, " + fixedText(kDegrees * miss.heading_rad, 2) +
          " deg";
-}
-
-double medianOfNumbers(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 }  // namespace
@@ -65,8 +60,7 @@ void calibrateDraws(const CalibrationSetting& setting, std::int64_t draws, std::
            << " |\n"
            << std::flush;
   }
-  stream << "\nMedian of after / before: " << fixedText(medianOfNumbers(ratios), 2)
-         << "; at most half in "
+  stream << "\nMedian of after / before: " << fixedText(*median(ratios), 2) << "; at most half in "
          << std::count_if(ratios.begin(), ratios.end(), [](double ratio) { return ratio <= 0.5; })
          << " of " << draws << ".\n";
 }

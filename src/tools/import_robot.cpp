@@ -2,13 +2,12 @@
 #include "robot_import/import_robot.h"
 
 #include <filesystem>
-#include <fstream>
 #include <iostream>
-#include <iterator>
 #include <stdexcept>
 
 #include "robot_import/picture_data.h"
 #include "tools/command_line.h"
+#include "tools/text_file.h"
 
 namespace hexapod {
 namespace {
@@ -57,19 +56,6 @@ Arguments argumentsFrom(std::vector<std::string> words) {
   return arguments;
 }
 
-std::string contentOf(const std::string& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) throw std::runtime_error(file + " cannot be read; check the path.");
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
-void write(const std::filesystem::path& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream) throw std::runtime_error(file.string() + " cannot be written.");
-}
-
 // A robot's name as a file's.
 std::string fileName(std::string name) {
   for (char& c : name) {
@@ -81,7 +67,7 @@ std::string fileName(std::string name) {
 int runImport(const Arguments& arguments) {
   const std::string source = arguments.source.empty() ? arguments.urdf : arguments.source;
   ImportRequest request;
-  request.urdf_text = contentOf(arguments.urdf);
+  request.urdf_text = textOfFile(arguments.urdf);
   request.urdf_name = source;
   request.urdf_folder = std::filesystem::absolute(source).parent_path().string();
   request.mesh_path = arguments.mesh_path;
@@ -90,9 +76,9 @@ int runImport(const Arguments& arguments) {
   std::filesystem::create_directories(arguments.output);
   const std::filesystem::path stem =
       std::filesystem::path(arguments.output) / fileName(result.robot.name);
-  write(stem.string() + ".urdf", result.urdf);
-  write(stem.string() + ".yaml", result.yaml);
-  write(stem.string() + ".json", pictureData(result));
+  writeTextFile(stem.string() + ".urdf", result.urdf);
+  writeTextFile(stem.string() + ".yaml", result.yaml);
+  writeTextFile(stem.string() + ".json", pictureData(result));
   std::cout << reportOf(result) << "Wrote " << stem.string() << ".urdf and .yaml.\n";
   return result.to_change.empty() ? 0 : 3;
 }
