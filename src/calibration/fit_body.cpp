@@ -25,6 +25,7 @@ constexpr double kWider = 1.3;
 constexpr double kNearest = 0.02;
 // The last looks begin so far from the best of those before.
 constexpr double kNear = 0.2;
+constexpr int kLastLooks = 4;
 
 // The search, in units of what is possible: a parameter of 1 is a standard deviation away.
 class Search {
@@ -39,7 +40,8 @@ class Search {
       look({mean_});
     }
     // What a plane passes over: nearer and nearer to the best.
-    for (double share = kNear; share > kNearest; share *= 0.5) look(drawnNear(best_.at, share));
+    double near = kNear;
+    for (int i = 0; i < kLastLooks; ++i, near *= 0.5) look(drawnNear(best_.at, near));
     return result();
   }
 
