@@ -23,9 +23,6 @@ constexpr double kUnknown = 30.0;
 // Bodies are drawn somewhat wider than what is thought likely, and never nearer than this.
 constexpr double kWider = 1.3;
 constexpr double kNearest = 0.02;
-// The last looks begin so far from the best of those before.
-constexpr double kNear = 0.2;
-constexpr int kLastLooks = 4;
 
 // The search, in units of what is possible: a parameter of 1 is a standard deviation away.
 class Search {
@@ -39,9 +36,6 @@ class Search {
       linearise(look(drawn()));
       look({mean_});
     }
-    // What a plane passes over: nearer and nearer to the best.
-    double near = kNear;
-    for (int i = 0; i < kLastLooks; ++i, near *= 0.5) look(drawnNear(best_.at, near));
     return result();
   }
 
@@ -60,16 +54,6 @@ class Search {
       for (int j = 0; j < kBodyParameters; ++j) step[j] = random_.normal();
       where.push_back(mean_ + kWider * root * step);
       where.push_back(mean_ - kWider * root * step);
-    }
-    return where;
-  }
-
-  std::vector<BodyVector> drawnNear(const BodyVector& middle, double share) {
-    std::vector<BodyVector> where;
-    for (std::int64_t i = 0; i < 2 * options_.pairs; ++i) {
-      BodyVector step;
-      for (int j = 0; j < kBodyParameters; ++j) step[j] = random_.normal();
-      where.push_back(middle + share * step);
     }
     return where;
   }

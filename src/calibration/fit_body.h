@@ -30,10 +30,10 @@ struct FittedBody {
 /// are drawn from what is thought likely, at first from all that is possible; a plane through what
 /// they miss, not a derivative at a point, says how the misses change, what it leaves counts as
 /// noise, and together with the prior that gives what is likely in the next round. Ends of
-/// behaviours are ragged functions of a body: derivatives lead astray. At the end it looks nearer
-/// and nearer around the best. The covariance is that of the last round, with the noise that is
-/// left where that is more than `options` say. Deterministic, whatever the number of threads.
-/// Throws std::invalid_argument without trials, std::runtime_error when no body stands.
+/// behaviours are ragged functions of a body: derivatives lead astray. The covariance is that of
+/// the last round, with the noise that is left where that is more than `options` say.
+/// Deterministic, whatever the number of threads. Throws std::invalid_argument without trials,
+/// std::runtime_error when no body stands.
 FittedBody fitBody(const TrialChain& chain, const FitOptions& options);
 
 /// Median distances and heading differences over misses; those not finite count as infinite.
