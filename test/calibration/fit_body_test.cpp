@@ -34,10 +34,13 @@ TEST(TrialChain, ImaginesTheRightBodyExactly) {
 
 TEST(FitBody, FindsTheBodyThatWalked) {
   const std::vector<Trial> trials = trialsOf(tired(), 8);
-  const FittedBody fitted = fitTo(trials);
+  FitOptions options;
+  options.rounds = 20;
+  options.pairs = 40;
+  const FittedBody fitted = fitTo(trials, options);
   const TrialChain chain(imaginationOf(), Physics(), seenOf(trials));
   const double before_m = medianOf(chain.misses({BodyVector::Zero()}).front()).position_m;
-  EXPECT_LT(medianOf(fitted.misses).position_m, 0.5 * before_m);
+  EXPECT_LT(medianOf(fitted.misses).position_m, 0.2 * before_m);
   EXPECT_NEAR(std::exp(fitted.mean[kServoGain]), 0.85, 0.03);
   EXPECT_EQ(fitted.left_out, 0);
   // Within four of its own deviations.
