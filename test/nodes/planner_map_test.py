@@ -26,7 +26,7 @@ RESOLUTION_M = 0.05
 SIDE = 120
 # Body and feet sweep 0.30 m around base_footprint; its margin is there to be used.
 SWEPT_M = 0.29
-MARGIN_M = 0.03
+MISS_M = 0.01  # of a behaviour, from where it was planned to end
 CANCELLED_S = 1.5  # promised are 0.2 s; the rest is for a machine that is busy with other tests
 
 
@@ -158,7 +158,7 @@ def test_a_goal_behind_a_wall_is_reached_without_touching_it(client, floor):
     assert min(room_m) > SWEPT_M
     summary = ws.wait_for(lambda: summaries and summaries[-1], 5.0, "the summary")
     assert summary.code == code("SUCCEEDED") and summary.steps > 3
-    assert summary.distance_m > 2.0 and -MARGIN_M < summary.clearance_m < 1.0
+    assert summary.distance_m > 2.0 and -MISS_M < summary.clearance_m < 1.0
     subscriber.unregister()
 
 
