@@ -63,9 +63,14 @@ void RobotPlayer::work() {
 void RobotPlayer::play(const Order& order) {
   const PoseSource::Stop stop = [this] { return leaves(); };
   Report report{order.entry, {}, {}, ""};
-  const PoseReading before = poses_.robotPose(stop);
-  report.start = before.pose;
-  report.problem = before.problem;
+  const BehaviorPlayer::Result ready = executor_.awaitReady(order.stops, stop);
+  if (ready.end == BehaviorPlayer::End::kPlayed) {
+    const PoseReading before = poses_.restPose(ready.finished + settle_, stop);
+    report.start = before.pose;
+    report.problem = before.problem;
+  } else {
+    report.problem = ready.message;
+  }
   if (!report.start) {
     tell_(report);
     return;

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <ros/init.h>
 
+#include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
 #include "ros_interface/display/body_markers.h"
 #include "simulation/swept_footprint.h"
@@ -51,6 +52,11 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
             return self_image_.foresightFor(repertoire);
           },
           [this](const hexapod::Repertoire& repertoire) { return paths_.known(repertoire); }),
+      relearned_publisher_(private_node.advertise<Repertoire>("relearned_repertoire", 1, true)),
+      relearner_(options_, robot, repertoire_,
+                 [this](const hexapod::Repertoire& relearned) {
+                   relearned_publisher_.publish(toMsg(relearned, clock_.rosNow()));
+                 }),
       map_(options_, buffer_, robot ? std::make_optional(sweptFootprint(*robot)) : std::nullopt),
       display_(node, private_node, clock_,
                {options.pose.global_frame, [this] { return self_image_.told().sentence; }}),
@@ -99,7 +105,7 @@ PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {
     poses_.latest();  // keeps an eye on it
     updater_.update();
     watchClock();
-    tellBelief();
+    lookAtBelief();
     if (!master_.masterIsLost()) continue;
     end = End::kMasterLost;
     break;
@@ -133,10 +139,14 @@ bool PlannerNode::onResetBelief(std_srvs::Trigger::Request&,
   return true;
 }
 
-void PlannerNode::tellBelief() {
+void PlannerNode::lookAtBelief() {
   if (clock_.steadyNow_ns() < next_belief_ns_) return;
   next_belief_ns_ = clock_.steadyNow_ns() + kBeliefPeriod_ns;
   self_image_.tellAgain();
+  const std::string news = relearner_.look(self_image_.sureBody());
+  if (news.empty()) return;
+  ROS_INFO_STREAM(news);
+  paths_.serve(repertoire_.planner());
 }
 
 // Called by one thread at a time.

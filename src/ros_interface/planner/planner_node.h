@@ -18,6 +18,7 @@
 #include "ros_interface/common/master_watch.h"
 #include "ros_interface/planner/action_doors.h"
 #include "ros_interface/planner/map_in_use.h"
+#include "ros_interface/planner/relearner.h"
 #include "ros_interface/planner/repertoire_in_use.h"
 #include "ros_interface/planner/self_image.h"
 #include "ros_interface/planner/service_doors.h"
@@ -56,7 +57,7 @@ class PlannerNode {
   void tellOfMap(const std::string& problem);
   void answerAll(End end);
   void watchClock();
-  void tellBelief();
+  void lookAtBelief();
   void publishBelief(const hexapod_repertoire::BodyBelief& belief);
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
 
@@ -74,6 +75,8 @@ class PlannerNode {
   SelfImage self_image_;
   SimulatedPaths paths_;
   RepertoireInUse repertoire_;
+  ros::Publisher relearned_publisher_;
+  Relearner relearner_;
   MapInUse map_;
   WalkDisplay display_;
   Walker walker_;

@@ -22,7 +22,9 @@ struct PlannerNodeOptions {
   std::string robot_config;  ///< path; empty: any robot's repertoire is planned with
   PoseOptions pose;
   std::string adaptation = Adaptation::kSelfModel;  ///< one of Adaptation
-  double planning_wall_time_s = 2.0;                ///< 0: as long as it takes
+  double relearn_below = 0.5;                       ///< share of the entries; 0: never
+  std::int64_t relearn_evaluations = 30000;
+  double planning_wall_time_s = 2.0;  ///< 0: as long as it takes
   bool cmd_vel = false;
   double cmd_vel_timeout_s = 4.0;
   ObstacleOptions obstacles;

@@ -33,7 +33,34 @@ std::shared_ptr<Foresight> RepertoireInUse::deviationOf(const Repertoire&) {
 
 std::shared_ptr<AdaptivePlanner> RepertoireInUse::planner() const {
   const std::lock_guard<std::mutex> lock(mutex_);
+  return stand_in_ ? stand_in_ : planner_;
+}
+
+std::shared_ptr<AdaptivePlanner> RepertoireInUse::published() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
   return planner_;
+}
+
+std::size_t RepertoireInUse::standIn(Repertoire relearned, std::size_t left) {
+  relearned.run_id.clear();
+  const auto fresh =
+      std::make_shared<AdaptivePlanner>(relearned, *published(), paths_of_(relearned));
+  const std::size_t walks = fresh->planner()->usableEntries();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  if (walks > left) stand_in_ = fresh;
+  return walks;
+}
+
+bool RepertoireInUse::endStandIn() {
+  const auto before = published();
+  if (planner() == before) return false;
+  // What was learned of the robot meanwhile it has not heard of.
+  const auto fresh = std::make_shared<AdaptivePlanner>(before->repertoire(), *before,
+                                                       paths_of_(before->repertoire()));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  stand_in_.reset();
+  planner_ = fresh;
+  return true;
 }
 
 std::string RepertoireInUse::whyRefused(const hexapod_repertoire::Repertoire& message,
@@ -48,14 +75,15 @@ std::string RepertoireInUse::whyRefused(const hexapod_repertoire::Repertoire& me
 
 RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoire& message,
                                              const std::string& publisher) {
-  const auto earlier = planner();
+  const auto earlier = published();
   const std::string kept = earlier ? " The earlier repertoire stays in use." : "";
   std::string refused = whyRefused(message, publisher);
   if (!refused.empty()) return {false, refused + kept};
   std::shared_ptr<AdaptivePlanner> fresh;
+  bool same_run = false;
   try {
     const Repertoire repertoire = fromMsg(message);
-    const bool same_run =
+    same_run =
         earlier && !repertoire.run_id.empty() && earlier->repertoire().run_id == repertoire.run_id;
     fresh = same_run
                 ? std::make_shared<AdaptivePlanner>(repertoire, *earlier, paths_of_(repertoire))
@@ -67,6 +95,7 @@ RepertoireInUse::Taken RepertoireInUse::take(const hexapod_repertoire::Repertoir
   publisher_.use(publisher);
   const std::lock_guard<std::mutex> lock(mutex_);
   planner_ = fresh;
+  if (!same_run) stand_in_.reset();
   return {true, "Planning with " + std::to_string(fresh->planner()->usableEntries()) + " of " +
                     std::to_string(fresh->repertoire().entries.size()) + " entries of run " +
                     fresh->repertoire().run_id + ", published by " + publisher + "." +

@@ -16,7 +16,8 @@ namespace hexapod {
 /// The repertoire that is planned with: of one publisher, for this robot.
 ///
 /// A second publisher is refused while the first is there. A newer message of the same run keeps
-/// what was learned of the robot on its walks. From any thread, take() from one at a time.
+/// what was learned of the robot on its walks. What was relearned for a body that is believed may
+/// stand in for it. From any thread; take(), standIn() and endStandIn() from one at a time.
 class RepertoireInUse {
  public:
   struct Taken {
@@ -41,6 +42,17 @@ class RepertoireInUse {
   /// Null while there is none.
   std::shared_ptr<AdaptivePlanner> planner() const;
 
+  /// The one of the repertoire that is published, whatever stands in for it.
+  std::shared_ptr<AdaptivePlanner> published() const;
+
+  /// Plans with `relearned` instead, until another run is published, if more than `left` of its
+  /// entries walk. It knows what the published one has learned of the robot; nobody else knows its
+  /// run, so that its entries are sent as bare genomes. Returns how many walk. Takes some 50 ms.
+  std::size_t standIn(Repertoire relearned, std::size_t left);
+
+  /// Plans with the published one again. False when it did all the time.
+  bool endStandIn();
+
  private:
   static std::shared_ptr<Foresight> deviationOf(const Repertoire& repertoire);
   static EntryPaths noPaths(const Repertoire&) { return {}; }
@@ -53,7 +65,8 @@ class RepertoireInUse {
   ForesightFor foresight_for_;
   PathsOf paths_of_;
   mutable std::mutex mutex_;
-  std::shared_ptr<AdaptivePlanner> planner_;  // guarded by mutex_
+  std::shared_ptr<AdaptivePlanner> planner_;   // guarded by mutex_
+  std::shared_ptr<AdaptivePlanner> stand_in_;  // guarded by mutex_
 };
 
 }  // namespace hexapod

@@ -38,30 +38,20 @@ std::vector<std::string> jointsOutOfOrder(const RobotDescription& robot, const B
 }  // namespace
 
 // A self-model that tells what it believes whenever it has seen more.
-class SelfImage::Told : public Foresight {
+class SelfImage::Told : public SelfModel {
  public:
   Told(SelfImage& image, const LearnedWorld& learned)
-      : image_(image), self_model_(*image.robot_, learned, SelfModelOptions()) {}
+      : SelfModel(*image.robot_, learned, SelfModelOptions()), image_(image) {}
 
   void observe(const WalkedStep& step) override {
-    self_model_.observe(step);
+    SelfModel::observe(step);
     tell();
   }
-  std::shared_ptr<const Repertoire> expected(
-      const std::shared_ptr<const Repertoire>& repertoire) override {
-    return self_model_.expected(repertoire);
-  }
-  Eigen::Vector2d drift_m() const override { return self_model_.drift_m(); }
 
-  void forget() {
-    self_model_.forget();
-    tell();
-  }
-  void tell() { image_.tell(image_.beliefOf(self_model_)); }
+  void tell() { image_.tell(image_.beliefOf(*this)); }
 
  private:
   SelfImage& image_;
-  SelfModel self_model_;
 };
 
 SelfImage::SelfImage(const Clock& clock, std::optional<RobotDescription> robot, Tell tell)
@@ -107,14 +97,26 @@ void SelfImage::tellAgain() {
   tell_(told_);
 }
 
+std::shared_ptr<SelfImage::Told> SelfImage::current() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return current_;
+}
+
+std::optional<Physics> SelfImage::sureBody() const {
+  const auto image = current();
+  if (!image) return std::nullopt;
+  const BodyBelief belief = image->belief();
+  if (belief.probability(0) < kSure) return std::nullopt;
+  Physics body = belief.physicsOf(belief.bodies().front());
+  body.slope_x_rad = body.slope_y_rad = 0.0;
+  return body;
+}
+
 std::string SelfImage::forget() {
-  std::shared_ptr<Told> current;
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    current = current_;
-  }
-  if (!current) return "Nothing is believed of the robot's body: it is not simulated.";
-  current->forget();
+  const auto image = current();
+  if (!image) return "Nothing is believed of the robot's body: it is not simulated.";
+  image->forget();
+  image->tell();
   return "The robot is believed to be as it was learned for.";
 }
 

@@ -35,12 +35,16 @@ class SelfImage {
   /// What was told last; without a sentence when nothing was.
   hexapod_repertoire::BodyBelief told() const;
 
+  /// The body that is believed for sure, on a level floor; nothing while none is.
+  std::optional<Physics> sureBody() const;
+
   /// Believes what it believed at first. A sentence for the user.
   std::string forget();
 
  private:
   class Told;
 
+  std::shared_ptr<Told> current() const;
   void tell(const hexapod_repertoire::BodyBelief& belief);
   hexapod_repertoire::BodyBelief beliefOf(const SelfModel& self_model) const;
 
@@ -49,7 +53,7 @@ class SelfImage {
   const Tell tell_;
   mutable std::mutex tell_mutex_;  // held while telling: nothing old is told after something new
   hexapod_repertoire::BodyBelief told_;  // guarded by tell_mutex_
-  std::mutex mutex_;
+  mutable std::mutex mutex_;
   std::shared_ptr<Told> current_;  // of the repertoire in use; null: not simulated
 };
 

@@ -36,6 +36,7 @@ TwistWalk::TwistWalk(const WalkMeans& means, OpenGoal& goal,
     : means_(means), goal_(goal), planner_(std::move(planner)), obstacles_(means.obstacles) {}
 
 WalkReport TwistWalk::run() {
+  awaitRest();
   while (!has_ended_) {
     const auto twist = goal_.ended() ? std::nullopt : goal_.request.twist();
     if (means_.newer_is_next()) {
@@ -120,8 +121,21 @@ void TwistWalk::play(const PlannedStep& step) {
     return;
   }
   ++report_.steps;
-  rest_ = touches ? means_.clock.rosNow() + ros::Duration(WalkMeans::kBrokenOff_s)
-                  : result.finished + ros::Duration(means_.options.pose.pose_settle_s);
+  if (touches) return awaitRest();
+  noteRest(result.finished);
+}
+
+void TwistWalk::awaitRest() {
+  const auto ready = means_.player.awaitReady(goal_.stops, [this] { return isOver(); });
+  if (ready.end == BehaviorPlayer::End::kPlayed) {
+    noteRest(ready.finished);
+  } else if (!isOver()) {
+    end(codeOf(ready.end), "The walk by velocity ended: " + ready.message);
+  }
+}
+
+void TwistWalk::noteRest(const ros::Time& last_command) {
+  rest_ = last_command + ros::Duration(means_.options.pose.pose_settle_s);
 }
 
 void TwistWalk::end(std::uint8_t code, const std::string& message) {

@@ -38,6 +38,9 @@ class TwistWalk {
   /// Until the twist or the obstacles change.
   void stand(const Twist& twist);
   void play(const PlannedStep& step);
+  /// Until the robot stands.
+  void awaitRest();
+  void noteRest(const ros::Time& last_command);
   bool isOver() const { return goal_.ended() || !goal_.request.twist(); }
   void end(std::uint8_t code, const std::string& message);
 
@@ -48,8 +51,8 @@ class TwistWalk {
   WalkReport report_;
   bool has_ended_ = false;
   bool told_ = false;  // that it stands
-  ros::Time rest_;
-  Pose2 start_;  // of the behaviour under way, where there are obstacles
+  ros::Time rest_;     // when the robot has come to rest
+  Pose2 start_;        // of the behaviour under way, where there are obstacles
 };
 
 }  // namespace hexapod

@@ -20,9 +20,6 @@ struct WalkMeans {
   WalkWatcher& watcher;
   std::function<bool()> newer_is_next;  ///< asked at rest: another goal takes over
   ObstacleSource obstacles = {};        ///< may be empty
-
-  /// What the robot takes to its neutral pose after a behaviour was broken off.
-  static constexpr double kBrokenOff_s = 1.0;
 };
 
 /// `stop`, or that so many plans begun now have taken planning_wall_time_s each. The clock must

@@ -44,11 +44,27 @@ WalkRun::WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<Adaptiv
 
 WalkReport WalkRun::run() {
   means_.watcher.showGoal(route_.front().world_from_goal);
+  if (!awaitRest()) return report_;
   while (measure()) {
     const std::optional<PlannedStep> step = plan();
     if (!step || !play(*step)) break;
   }
   return report_;
+}
+
+bool WalkRun::awaitRest() {
+  const auto ready = means_.player.awaitReady(goal_.stops, [this] { return goal_.ended(); });
+  if (goal_.ended()) return false;
+  if (ready.end != BehaviorPlayer::End::kPlayed) {
+    end(codeOf(ready.end), "The walk ended, no behaviour is played: " + ready.message);
+    return false;
+  }
+  rest_ = restAfter(ready.finished);
+  return true;
+}
+
+ros::Time WalkRun::restAfter(const ros::Time& last_command) const {
+  return last_command + ros::Duration(means_.options.pose.pose_settle_s);
 }
 
 bool WalkRun::measure() {
@@ -162,11 +178,10 @@ bool WalkRun::play(const PlannedStep& step) {
     ++report_.steps;
     walk_.disregardLastStep();
     played_.reset();
-    rest_ = means_.clock.rosNow() + ros::Duration(WalkMeans::kBrokenOff_s);
-    return true;
+    return awaitRest();
   }
   if (result.end != BehaviorPlayer::End::kPlayed) {
-    end(codeOf(result.end), "The walk ended, no behaviour is played any more: " + result.message);
+    end(codeOf(result.end), "The walk ended, no behaviour is played: " + result.message);
     return false;
   }
   ++report_.steps;
@@ -176,7 +191,7 @@ bool WalkRun::play(const PlannedStep& step) {
     walk_.disregardLastStep();
     played_.reset();
   }
-  rest_ = result.finished + ros::Duration(means_.options.pose.pose_settle_s);
+  rest_ = restAfter(result.finished);
   return true;
 }
 

@@ -23,6 +23,9 @@ class WalkRun {
   WalkReport run();
 
  private:
+  /// Waits until the robot stands. False when the walk has ended.
+  bool awaitRest();
+  ros::Time restAfter(const ros::Time& last_command) const;
   /// Reads where the robot came to rest. False when the walk has ended.
   bool measure();
   /// Decides what to do there, with the obstacles of now.
@@ -44,7 +47,7 @@ class WalkRun {
   const std::vector<Waypoint> route_;
   Walk walk_;
   WalkReport report_;
-  ros::Time rest_;                     // when the robot came to rest after the last behaviour
+  ros::Time rest_;                     // when the robot has come to rest
   std::vector<Pose2> walked_;          // measured at rest, the newest last
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
   std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady

@@ -26,15 +26,16 @@ class BehaviorPlayer {
   struct Result {
     End end = End::kFault;
     std::string message;
-    ros::Time finished;         ///< stamp of the last command
+    ros::Time finished;         ///< stamp of the last command, or since when it has been ready
     std::uint32_t skipped = 0;  ///< commands that were left out: not the entry's behaviour
     std::vector<JointRange> joints = {};  ///< as in WalkedStep
   };
+  using Interrupted = std::function<bool()>;  ///< asked often; true: break off
   struct Order {
     const Entry& entry;
-    std::string run_id;
-    std::uint64_t stops;                ///< stops() when the goal was given
-    std::function<bool()> interrupted;  ///< asked often; true: break off
+    std::string run_id;   ///< empty: of one that nobody publishes; the genome alone is sent
+    std::uint64_t stops;  ///< stops() when the goal was given
+    Interrupted interrupted;
   };
 
   virtual ~BehaviorPlayer() = default;
@@ -46,6 +47,10 @@ class BehaviorPlayer {
   /// How often it has come to a state in which it plays nothing until a person arms it. What was
   /// asked of it before a stop does not begin after it.
   virtual std::uint64_t stops() const = 0;
+
+  /// Waits until nothing is under way any more: what was broken off before ends in the neutral
+  /// pose. kPlayed when it would play now, else the reason why not. `stops` as in an Order.
+  virtual Result awaitReady(std::uint64_t stops, const Interrupted& interrupted) = 0;
 
   /// Has an entry played and waits for its end. Every wait is bounded in steady time.
   virtual Result play(const Order& order) = 0;

@@ -94,16 +94,17 @@ std::string ExecutorClient::whyNotReady() const {
   return needsAPerson(state_->state) ? advice(*state_) : "";
 }
 
-bool ExecutorClient::isReady() const {
+std::optional<ros::Time> ExecutorClient::readySince() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return state_ && state_->state == State::READY;
+  return state_ && state_->state == State::READY ? std::optional(ready_) : std::nullopt;
 }
 
 BehaviorPlayer::Result ExecutorClient::play(const Order& order) {
   Patience patience(clock_, kReady_s);
   while (true) {
-    if (const auto problem = awaitReady(order)) return *problem;
-    Result result = playOnce(order);
+    Result result = awaitReady(order.stops, order.interrupted);
+    if (result.end != End::kPlayed) return result;
+    result = playOnce(order);
     // Between its state and our goal somebody else may have come first.
     if (result.end != End::kNotReady || patience.verdict() != Patience::Verdict::kWait) {
       return result;
@@ -112,31 +113,29 @@ BehaviorPlayer::Result ExecutorClient::play(const Order& order) {
   }
 }
 
-std::optional<BehaviorPlayer::Result> ExecutorClient::awaitReady(const Order& order) const {
+BehaviorPlayer::Result ExecutorClient::awaitReady(std::uint64_t stops,
+                                                  const Interrupted& interrupted) {
   Patience patience(clock_, kReady_s);
+  const auto notReady = [](const std::string& why) { return Result{End::kNotReady, why, {}, 0}; };
   while (true) {
-    if (order.interrupted()) return Result{End::kCancelled, "Broken off before it began.", {}, 0};
-    if (stoppedSince(order)) {
+    if (interrupted()) return {End::kCancelled, "Broken off before it began.", {}, 0};
+    if (stops_ != stops) {
       const std::string why = whyNotReady();
-      return Result{
-          End::kNotReady,
-          why.empty() ? "The executor was stopped after the goal was given; send it again." : why,
-          {},
-          0};
+      return notReady(
+          why.empty() ? "The executor was stopped after the goal was given; send it again." : why);
     }
-    const std::string why = silence();
-    if (!why.empty()) return Result{End::kNotReady, why, {}, 0};
-    if (isReady()) return std::nullopt;
+    const std::string silent = silence();
+    if (!silent.empty()) return notReady(silent);
+    if (const auto since = readySince()) return {End::kPlayed, "", *since, 0};
     const Patience::Verdict verdict = patience.verdict();
     if (verdict == Patience::Verdict::kTimeStands) {
-      return Result{End::kTimeStands, kTimeStandsMessage, {}, 0};
+      return {End::kTimeStands, kTimeStandsMessage, {}, 0};
     }
     if (verdict == Patience::Verdict::kTooLong) {
-      return Result{
-          End::kNotReady, "The executor did not become ready in time; see executor/state.", {}, 0};
+      return notReady("The executor did not become ready in time; see executor/state.");
     }
     clock_.waitUntil(clock_.steadyNow_ns() + kPoll_ns,
-                     [&] { return isReady() || order.interrupted(); });
+                     [&] { return readySince() || interrupted(); });
   }
 }
 
@@ -146,7 +145,7 @@ BehaviorPlayer::Result ExecutorClient::playOnce(const Order& order) {
   goal.goal_id.id =
       name_ + "-" + std::to_string(++goals_) + "-" + std::to_string(clock_.steadyNow_ns());
   goal.header.stamp = goal.goal_id.stamp;
-  goal.goal.entry_id = order.entry.id;
+  goal.goal.entry_id = order.run_id.empty() ? -1 : order.entry.id;
   goal.goal.genome = order.entry.genome;
   goal.goal.run_id = order.run_id;
   {
@@ -159,7 +158,7 @@ BehaviorPlayer::Result ExecutorClient::playOnce(const Order& order) {
 }
 
 BehaviorPlayer::Result ExecutorClient::awaitEnd(const actionlib_msgs::GoalID& id,
-                                                const std::function<bool()>& interrupted) {
+                                                const Interrupted& interrupted) {
   Patience patience(clock_, kProgress_s);
   std::uint64_t signs = signs_;
   while (true) {
@@ -208,6 +207,7 @@ void ExecutorClient::onState(const State& state) {
   const std::lock_guard<std::mutex> lock(mutex_);
   const bool stopped = needsAPerson(state.state);
   if (stopped && !(state_ && needsAPerson(state_->state))) ++stops_;
+  if (!state_ || state_->state != state.state) ready_ = state.header.stamp;
   state_ = state;
   heard_ns_ = clock_.steadyNow_ns();
 }

@@ -37,6 +37,7 @@ class ExecutorClient : public BehaviorPlayer {
 
   std::string whyNotReady() const override;
   std::uint64_t stops() const override { return stops_; }
+  Result awaitReady(std::uint64_t stops, const Interrupted& interrupted) override;
   Result play(const Order& order) override;
 
   void onState(const hexapod_repertoire::ExecutorState& state);
@@ -47,12 +48,10 @@ class ExecutorClient : public BehaviorPlayer {
  private:
   using Answer = hexapod_repertoire::ExecuteBehaviorActionResult;
 
-  std::optional<Result> awaitReady(const Order& order) const;
   Result playOnce(const Order& order);
-  Result awaitEnd(const actionlib_msgs::GoalID& id, const std::function<bool()>& interrupted);
+  Result awaitEnd(const actionlib_msgs::GoalID& id, const Interrupted& interrupted);
   Result breakOff(const actionlib_msgs::GoalID& id);
-  bool stoppedSince(const Order& order) const { return stops_ != order.stops; }
-  bool isReady() const;
+  std::optional<ros::Time> readySince() const;
   std::string silence() const;
   std::optional<Result> ended() const;
   void hear();
@@ -66,6 +65,7 @@ class ExecutorClient : public BehaviorPlayer {
 
   mutable std::mutex mutex_;
   std::optional<hexapod_repertoire::ExecutorState> state_;  // guarded by mutex_
+  ros::Time ready_;                                         // guarded by mutex_; since when
   std::int64_t heard_ns_ = 0;                               // guarded by mutex_; steady
   std::string goal_id_;                                     // guarded by mutex_; under way
   std::optional<Answer> answer_;                            // guarded by mutex_; to goal_id_

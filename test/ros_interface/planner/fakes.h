@@ -50,7 +50,8 @@ class FakePoseSource : public PoseSource {
 };
 
 /// Moves the robot of a FakePoseSource as the repertoire says. While `held`, a behaviour goes on
-/// until it is interrupted or released; while `deaf`, one that was interrupted does not come back.
+/// until it is interrupted or released; while `deaf`, one that was interrupted does not come back;
+/// while `returning`, it is not ready for the next.
 class FakePlayer : public BehaviorPlayer {
  public:
   explicit FakePlayer(FakePoseSource& poses) : poses_(poses) {}
@@ -60,6 +61,12 @@ class FakePlayer : public BehaviorPlayer {
     return problem_;
   }
   std::uint64_t stops() const override { return stops_; }
+
+  Result awaitReady(std::uint64_t stops, const Interrupted& interrupted) override {
+    while (returning && !interrupted()) std::this_thread::yield();
+    if (interrupted()) return {End::kCancelled, "broken off", {}, 0};
+    return {stops == stops_ ? End::kPlayed : End::kNotReady, "stopped since", ros::Time(2.0), 0};
+  }
 
   Result play(const Order& order) override {
     ++begun;
@@ -82,6 +89,7 @@ class FakePlayer : public BehaviorPlayer {
 
   std::atomic<bool> held{false};
   std::atomic<bool> deaf{false};
+  std::atomic<bool> returning{false};  // to the neutral pose
   std::atomic<int> begun{0};
   std::function<Result()> outcome;
 

@@ -53,6 +53,10 @@ TEST_F(SelfImageTest, TellsWhichLegIsOutOfOrderAndForgetsItWhenAskedTo) {
             (std::vector<std::string>{"body_leg_1", "leg_1_1_2", "leg_1_2_3"}));
   EXPECT_EQ(told_[2].parameters.size(), told_[2].values.size());
   EXPECT_EQ(told_[2].sentence.find("left_middle: lifted ("), 0u) << told_[2].sentence;
+  const std::vector<Pose2> followed = foresight->follow(Pose2(), {repertoire.entries[0]});
+  ASSERT_EQ(followed.size(), 1u);
+  const SeenBehavior seen = body.walk(repertoire.entries[0].genome);
+  EXPECT_LT(distance(followed[0], seen.startFromEnd()), 0.01);
   image_.forget();
   ASSERT_EQ(told_.size(), 4u);
   EXPECT_EQ(told_[3].bodies.front(), "intact");

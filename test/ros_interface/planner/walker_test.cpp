@@ -119,6 +119,30 @@ TEST_F(WalkerTest, ACancelOnTheWayEndsTheWholeRoute) {
   EXPECT_EQ(player_.begun, 1);
 }
 
+TEST_F(WalkerTest, JudgesWhereTheRobotIsWhenItStandsNotWhereItPasses) {
+  player_.returning = true;  // from a behaviour that was broken off
+  Client client;
+  submit(client, goalAt(0.0, 0.0, 0.0));
+  client.waitForAcceptance();
+  poses_.set({Pose2{0.4, 0.1, 0.5}, ""});
+  player_.returning = false;
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED) << report.message;
+  EXPECT_GT(player_.begun, 0);
+  EXPECT_LE(distance(*poses_.latest().pose, {0.0, 0.0, 0.0}), options_.planner.xy_tolerance_m);
+}
+
+TEST_F(WalkerTest, ACancelWhileTheRobotComesToRestIsNotLost) {
+  player_.returning = true;
+  Client client;
+  submit(client, goalAt(1.0, 0.0, 0.0));
+  client.waitForAcceptance();
+  EXPECT_TRUE(walker_->cancelAll());
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::PREEMPTED);
+  walker_.reset();
+  EXPECT_EQ(player_.begun, 0);
+}
+
 TEST_F(WalkerTest, SumsUpACancelledWalkAsSuch) {
   player_.held = true;
   Client client;

@@ -47,6 +47,7 @@ class ExecutorClientTest : public testing::Test, public ExecutorWire {
     state_ = state;
     State message;
     message.state = state;
+    message.header.stamp = clock_.rosNow();
     client_.onState(message);
   }
   void answer(std::uint8_t status, std::uint8_t code, std::uint32_t skipped) {
@@ -115,6 +116,15 @@ TEST_F(ExecutorClientTest, HasABehaviourPlayedToItsEnd) {
   EXPECT_NE(goals_.at(0).goal_id.id, goals_.at(1).goal_id.id);
 }
 
+TEST_F(ExecutorClientTest, OfARunThatNobodyPublishesTheGenomeAloneIsSent) {
+  entry_.id = 7;
+  entry_.genome = {1, 2, 3};
+  EXPECT_EQ(client_.play({entry_, "", client_.stops(), [] { return false; }}).end, End::kPlayed);
+  EXPECT_EQ(goals_.at(0).goal.entry_id, -1);
+  EXPECT_EQ(goals_.at(0).goal.run_id, "");
+  EXPECT_EQ(goals_.at(0).goal.genome, (std::vector<std::uint8_t>{1, 2, 3}));
+}
+
 TEST_F(ExecutorClientTest, SaysWhyTheExecutorIsNotReadyAndWhatToDo) {
   EXPECT_EQ(client_.whyNotReady(), "");
   for (const std::uint8_t state :
@@ -146,6 +156,29 @@ TEST_F(ExecutorClientTest, WaitsForAnExecutorThatWillBeReadySoon) {
   on_live = nullptr;
   EXPECT_EQ(play().end, End::kNotReady);
   EXPECT_NEAR(played_s(), 5.0, 0.2);
+  EXPECT_EQ(goals_.size(), 1u);
+}
+
+TEST_F(ExecutorClientTest, TellsSinceWhenTheRobotHasStood) {
+  tell(State::HOLDING);
+  const std::int64_t ready_ns = clock_.steadyNow_ns() + 2 * kSecond_ns;
+  ros::Time since;
+  on_live = [&] {
+    if (state_ != State::HOLDING || clock_.steadyNow_ns() < ready_ns) return;
+    since = clock_.rosNow();
+    tell(State::READY);
+  };
+  const auto never = [] { return false; };
+  auto result = client_.awaitReady(client_.stops(), never);
+  EXPECT_EQ(result.end, End::kPlayed) << result.message;
+  EXPECT_EQ(result.finished, since);
+  EXPECT_FALSE(since.isZero());
+  play();  // its state is told again once a second
+  EXPECT_EQ(client_.awaitReady(client_.stops(), never).finished, since);
+  tell(State::HOLDING);
+  on_live = nullptr;
+  EXPECT_EQ(client_.awaitReady(client_.stops(), [] { return true; }).end, End::kCancelled);
+  EXPECT_EQ(client_.awaitReady(client_.stops(), never).end, End::kNotReady);
   EXPECT_EQ(goals_.size(), 1u);
 }
 
