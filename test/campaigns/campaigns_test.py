@@ -9,7 +9,7 @@ import pytest
 
 HERE = pathlib.Path(__file__).resolve().parent
 BINARIES = pathlib.Path(os.environ.get("HEXAPOD_BINARIES", ""))
-AT_A_TIME = 3
+AT_A_TIME = 4
 
 
 def commands():
