@@ -62,6 +62,17 @@ std::optional<std::uint64_t> unsignedFromText(const std::string& text) {
   return numberFromText<std::uint64_t>(text);
 }
 
+std::vector<std::string> separated(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; std::getline(stream, word, ',');) {
+    const std::size_t first = word.find_first_not_of(' ');
+    if (first == std::string::npos) continue;
+    words.push_back(word.substr(first, word.find_last_not_of(' ') - first + 1));
+  }
+  return words;
+}
+
 std::string listed(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;

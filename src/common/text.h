@@ -27,4 +27,7 @@ std::optional<std::uint64_t> unsignedFromText(const std::string& text);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
+/// The words of "a, b, c", without the spaces around them; none are empty.
+std::vector<std::string> separated(const std::string& text);
+
 }  // namespace hexapod

@@ -4,6 +4,9 @@
 #include <cstdlib>
 #include <iterator>
 #include <set>
+#include <stdexcept>
+
+#include "common/text.h"
 
 namespace hexapod {
 namespace {
@@ -11,13 +14,31 @@ namespace {
 // Three of its periods.
 constexpr std::int64_t kFresh_ns = 3'000'000'000;
 
+std::set<std::size_t> legsNamed(const RobotDescription& robot, const std::string& text) {
+  std::vector<std::string> known;
+  for (const Leg& leg : robot.legs) known.push_back(leg.name);
+  std::set<std::size_t> legs;
+  for (const std::string& word : separated(text)) {
+    const auto found = std::find(known.begin(), known.end(), word);
+    if (found == known.end()) {
+      throw std::invalid_argument("dead_legs names the leg '" + word + "'; robot '" + robot.name +
+                                  "' has " + listed(known) + ".");
+    }
+    legs.insert(static_cast<std::size_t>(found - known.begin()));
+  }
+  return legs;
+}
+
 }  // namespace
 
-BeliefJudge::BeliefJudge(const RobotDescription& robot, std::int64_t max_dead_legs)
+BeliefJudge::BeliefJudge(const RobotDescription& robot, std::int64_t max_dead_legs,
+                         const std::string& dead_legs)
     : robot_id_(robot.digest), max_dead_legs_(max_dead_legs) {
+  const std::set<std::size_t> gone = legsNamed(robot, dead_legs);
   for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
     for (const Segment& segment : robot.legs[leg].segments) {
       joints_.emplace(segment.joint.name, leg_of_joint_.size());
+      if (gone.count(leg) > 0) gone_.push_back(leg_of_joint_.size());
       leg_of_joint_.push_back(leg);
     }
   }
@@ -75,8 +96,13 @@ std::vector<std::string> BeliefJudge::talking(std::int64_t steady_now_ns) const 
 
 JointTolerance BeliefJudge::tolerance(std::int64_t steady_now_ns) const {
   const std::vector<std::string> publishers = talking(steady_now_ns);
-  if (publishers.size() != 1 || max_dead_legs_ == 0) return {};
-  return heard_.at(publishers.front()).tolerance;
+  if (publishers.size() != 1 || max_dead_legs_ == 0) return {gone_, false};
+  JointTolerance tolerance = heard_.at(publishers.front()).tolerance;
+  if (gone_.empty()) return tolerance;
+  std::vector<std::size_t> both;
+  std::set_union(gone_.begin(), gone_.end(), tolerance.dead.begin(), tolerance.dead.end(),
+                 std::back_inserter(both));
+  return {both, tolerance.watched};
 }
 
 std::string BeliefJudge::problem(std::int64_t steady_now_ns) const {

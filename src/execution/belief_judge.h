@@ -21,15 +21,19 @@ struct ToldBelief {
   std::int64_t steady_now_ns = 0;
 };
 
-/// What the executor may tolerate of what is told on body_belief.
+/// Which joints the executor may do without: those of legs that a person says are not there, and of
+/// what is told on body_belief what may be believed.
 ///
 /// One node tells, every second: for this robot, with joints of this robot, freshly stamped
 /// (SourceClock), and no more than so many legs. While anything else comes, two nodes tell, or
-/// nobody does, nothing is tolerated. Not thread-safe.
+/// nobody does, nothing of it is. Not thread-safe.
 class BeliefJudge {
  public:
-  /// `max_dead_legs` 0: nothing ever is.
-  BeliefJudge(const RobotDescription& robot, std::int64_t max_dead_legs);
+  /// `max_dead_legs` 0: nothing that is told ever is. `dead_legs`: names of legs, with commas
+  /// between them. Throws std::invalid_argument naming the word that is no leg, and those there
+  /// are.
+  BeliefJudge(const RobotDescription& robot, std::int64_t max_dead_legs,
+              const std::string& dead_legs = "");
 
   void hear(const ToldBelief& told);
 
@@ -55,6 +59,7 @@ class BeliefJudge {
   std::int64_t max_dead_legs_;
   std::map<std::string, std::size_t> joints_;
   std::vector<std::size_t> leg_of_joint_;
+  std::vector<std::size_t> gone_;       // joints of legs that are not there
   std::map<std::string, Heard> heard_;  // the last word of each publisher
 };
 

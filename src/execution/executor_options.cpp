@@ -31,6 +31,9 @@ std::vector<Option> declareOptions(ExecutorOptions& options) {
              "Legs that need not follow or be read because body_belief tells that they are dead, "
              "or may still tell so; 0: every leg that does not follow is a fault at once.",
              0, 64),
+      option("dead_legs", options.dead_legs,
+             "Legs that are not there or out of order, by name with commas between them: their "
+             "joints need neither be read nor follow, from the first arming on."),
       option("belief_patience_s", options.belief_patience_s, "s",
              "While body_belief comes, a leg that does not follow is waited with until a whole "
              "behaviour shows what is wrong with it, and so much longer; believed dead by then, "

@@ -25,6 +25,7 @@ struct ExecutorOptions {
   double max_tracking_error_rad = 0.5;      ///< 0: not watched
   double tracking_timeout_s = 0.5;          ///< how long a joint may be further off
   std::int64_t max_dead_legs = 2;  ///< legs that may be believed dead or in doubt; 0: none ever
+  std::string dead_legs;           ///< legs that are not there, names with commas between them
   double belief_patience_s = 3.0;  ///< for a leg in doubt, after the behaviour that shows it
   double sit_signal = 1.0;         ///< second control signal of the sitting pose, see sittingPose()
   double e_stop_timeout_s = 0;     ///< longest silence of the emergency stop's publisher; 0: any

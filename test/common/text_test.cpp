@@ -55,6 +55,8 @@ TEST(Text, ListsWordsWithCommasBetweenThem) {
   EXPECT_EQ(listed({}), "");
   EXPECT_EQ(listed({"a"}), "a");
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
+  EXPECT_EQ(separated(" a,b  , c d,, "), (std::vector<std::string>{"a", "b", "c d"}));
+  EXPECT_TRUE(separated("").empty());
 }
 
 }  // namespace

@@ -94,6 +94,28 @@ TEST_F(BeliefJudgeTest, BelievesNeitherOfTwo) {
   EXPECT_EQ(judge_.tolerance(now_ns_).dead.size(), 1u) << "the other is gone";
 }
 
+TEST_F(BeliefJudgeTest, DoesWithoutLegsThatAPersonSaysAreNotThere) {
+  BeliefJudge judge(shippedRobot(), 2, "left_middle");
+  EXPECT_EQ(judge.tolerance(now_ns_), (JointTolerance{{3, 4, 5}, false}));
+  judge.hear(told({"leg_1_1_2", "body_leg_2"}));
+  EXPECT_EQ(judge.tolerance(now_ns_), (JointTolerance{{3, 4, 5, 6}, true}));
+  now_ns_ += 4 * kSecond_ns;
+  EXPECT_EQ(judge.tolerance(now_ns_), (JointTolerance{{3, 4, 5}, false}));
+  EXPECT_EQ(
+      BeliefJudge(shippedRobot(), 0, " left_middle ,right_rear").tolerance(now_ns_).dead.size(),
+      6u);
+}
+
+TEST_F(BeliefJudgeTest, NamesTheLegsThereAreWhenItIsToldOfAnother) {
+  try {
+    BeliefJudge(shippedRobot(), 2, "left_middle, tail");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string(error.what()).find("'tail'"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("right_rear"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(BeliefJudgeTest, ToleratesNothingWhereNothingMayBe) {
   BeliefJudge strict(shippedRobot(), 0);
   strict.hear(told());

@@ -12,11 +12,14 @@ constexpr double kLook_s = 0.1;
 }  // namespace
 
 BeliefListener::BeliefListener(const ros::NodeHandle& node, SharedExecutor& executor,
-                               const RobotDescription& robot, std::int64_t max_dead_legs,
+                               const RobotDescription& robot, const ExecutorOptions& options,
                                const Clock& clock)
-    : executor_(executor), clock_(clock), judge_(robot, max_dead_legs), node_(node) {
+    : executor_(executor),
+      clock_(clock),
+      judge_(robot, options.max_dead_legs, options.dead_legs),
+      node_(node) {
   node_.setCallbackQueue(&queue_);
-  if (max_dead_legs > 0) {
+  if (options.max_dead_legs > 0) {
     subscriber_ = node_.subscribe<hexapod_repertoire::BodyBelief>(
         names::kBodyBelief, kQueueSize,
         boost::function<void(const Event&)>([this](const Event& event) { onBelief(event); }),

@@ -21,9 +21,10 @@ namespace hexapod {
 /// lets it. A queue and a thread of its own: what it asks for waits for the command loop.
 class BeliefListener {
  public:
-  /// The references must outlive it. `max_dead_legs` 0: nothing is listened to.
+  /// The references must outlive it. With max_dead_legs 0 nothing is listened to. Throws as
+  /// BeliefJudge does.
   BeliefListener(const ros::NodeHandle& node, SharedExecutor& executor,
-                 const RobotDescription& robot, std::int64_t max_dead_legs, const Clock& clock);
+                 const RobotDescription& robot, const ExecutorOptions& options, const Clock& clock);
   ~BeliefListener();
   BeliefListener(const BeliefListener&) = delete;
   BeliefListener& operator=(const BeliefListener&) = delete;

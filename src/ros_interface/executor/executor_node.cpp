@@ -65,7 +65,7 @@ ExecutorNode::ExecutorNode(ros::NodeHandle& node, const ros::NodeHandle& private
       emergency_stop_(node, private_node, executor_, options.realtime),
       feedback_(node, executor_, map_, options.executor.feedback_timeout_s, clock_,
                 options.realtime),
-      belief_(node, executor_, robot_, options.executor.max_dead_legs, clock_),
+      belief_(node, executor_, robot_, options.executor, clock_),
       services_(private_node, executor_, feedback_, robot_.jointNames()),
       master_(topicsToWatch(node, *sender_)),
       action_(node, {executor_, loop_, feedback_, master_, robot_}, options.behavior),

@@ -28,7 +28,7 @@ class PoseSource {
   /// As known now, without waiting; a problem when the pose has stopped coming.
   virtual PoseReading latest() const = 0;
 
-  /// A pose that is still coming; waits for it a while.
+  /// A pose that is still coming; waits for it a while, and hardly when it was silent before.
   virtual PoseReading robotPose(const Stop& stop) const = 0;
 
   /// Where the robot has come to rest: a pose stamped at or after `rest`, the time of the last

@@ -70,9 +70,9 @@ PoseReading TfPoseSource::latest() const { return readingOf(look()); }
 
 PoseReading TfPoseSource::robotPose(const Stop& stop) const {
   Seen seen = look();
-  // Silence was waited for already.
-  if (seen.changes && !isFresh(seen)) return readingOf(seen);
-  clock_.waitUntil(clock_.steadyNow_ns() + timeout_ns(), [&] {
+  // A silence that was waited for already may end just now.
+  const bool was_silent = seen.changes && !isFresh(seen);
+  clock_.waitUntil(clock_.steadyNow_ns() + timeout_ns() / (was_silent ? 5 : 1), [&] {
     seen = look();
     return isFresh(seen) || stop();
   });
