@@ -65,6 +65,18 @@ std::vector<Option> declareOptions(BehaviorOptions& options) {
   return all;
 }
 
+BehaviorOptions behaviorOptionsOf(const std::map<std::string, std::string>& kept,
+                                  BehaviorOptions defaults) {
+  const std::vector<Option> wanted = declareOptions(defaults);
+  std::map<std::string, OptionValue> values;
+  for (const Option& one : wanted) {
+    const auto found = kept.find(one.name);
+    if (found != kept.end()) values[one.name] = optionValueFromText(found->second);
+  }
+  applyOptions(wanted, values, "repertoire");
+  return defaults;
+}
+
 BehaviorParts behaviorParts(const BehaviorOptions& options) {
   requireRange("command_period_s", options.command_period_s, kMinPeriod_s, kMaxPeriod_s);
   requireRange("gait_duration_s", options.gait_duration_s, kMinPeriod_s, kMaxDuration_s);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct BehaviorParts {
 
 /// The options under their names, bound to `options`, which must outlive them.
 std::vector<Option> declareOptions(BehaviorOptions& options);
+
+/// `defaults` with what a repertoire keeps of the options it was learned with, as texts by name;
+/// others among them are left alone. Throws std::invalid_argument when one is out of range.
+BehaviorOptions behaviorOptionsOf(const std::map<std::string, std::string>& kept,
+                                  BehaviorOptions defaults);
 
 /// Those of them that say how long and how often; the others are the learner's alone.
 std::vector<Option> declareTimingOptions(BehaviorOptions& options);

@@ -7,15 +7,13 @@ namespace hexapod {
 
 LearnedWorld learnedWorldOf(const RobotDescription& robot, const Repertoire& repertoire) {
   LearnedWorld learned;
-  std::vector<Option> wanted = declareOptions(learned.behavior);
-  wanted.push_back(
-      option("step_s", learned.physics.step_s, "s", "Step of the simulation.", 1e-4, 0.05));
-  std::map<std::string, OptionValue> values;
-  for (const Option& one : wanted) {
-    const auto found = repertoire.options.find(one.name);
-    if (found != repertoire.options.end()) values[one.name] = optionValueFromText(found->second);
+  learned.behavior = behaviorOptionsOf(repertoire.options, learned.behavior);
+  const auto step = repertoire.options.find("step_s");
+  if (step != repertoire.options.end()) {
+    applyOptions(
+        {option("step_s", learned.physics.step_s, "s", "Step of the simulation.", 1e-4, 0.05)},
+        {{step->first, optionValueFromText(step->second)}}, "repertoire");
   }
-  applyOptions(wanted, values, "repertoire");
   learned.physics = bodyFromText(robot, repertoire.body(), learned.physics);
   return learned;
 }

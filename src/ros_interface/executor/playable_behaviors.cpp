@@ -1,9 +1,11 @@
 #include "ros_interface/executor/playable_behaviors.h"
 
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "common/text.h"
 #include "ros_interface/common/conversions.h"
 
 namespace hexapod {
@@ -21,14 +23,15 @@ double durationOf(const BehaviorOptions& options) {
 PlayableBehaviors::PlayableBehaviors(const RobotDescription& robot, const BehaviorOptions& options)
     : robot_(robot),
       options_(options),
-      duration_s_(durationOf(options)),
       problem_("No repertoire has come yet; start a learner or a repertoire_server.") {
   checkReturnIsSlowEnough(robot, options);
 }
 
 std::string PlayableBehaviors::update(const hexapod_repertoire::Repertoire& message) {
   Genomes genomes;
+  BehaviorOptions times = options_;
   std::string problem = mismatch(message);
+  if (problem.empty()) problem = readTimes(message, times);
   if (problem.empty()) problem = readEntries(message, genomes);
   const bool is_first = !problem_.empty();
   if (!problem.empty()) {
@@ -36,6 +39,7 @@ std::string PlayableBehaviors::update(const hexapod_repertoire::Repertoire& mess
     return problem + (is_first ? "" : " The earlier repertoire stays in use.");
   }
   genomes_ = std::move(genomes);
+  options_ = times;
   run_id_ = message.run_id;
   body_ = optionOf(message, "body");
   problem_.clear();
@@ -62,13 +66,33 @@ std::string PlayableBehaviors::mismatch(const hexapod_repertoire::Repertoire& me
   if (message.joint_names != robot_.jointNames()) {
     return "The repertoire's joint names are not those of the robot description.";
   }
-  if (!(std::abs(message.behavior_duration_s - duration_s_) < kSameDuration_s)) {
-    return "The repertoire's behaviours take " + std::to_string(message.behavior_duration_s) +
-           " s, the executor's " + std::to_string(duration_s_) +
-           " s; give both the same gait_duration_s, return_duration_s, rest_duration_s and "
-           "end_pose.";
-  }
   return "";
+}
+
+std::string PlayableBehaviors::readTimes(const hexapod_repertoire::Repertoire& message,
+                                         BehaviorOptions& times) const {
+  std::map<std::string, std::string> kept;
+  for (const Option& option : declareTimingOptions(times)) {
+    const std::string value = optionOf(message, option.name);
+    if (!value.empty()) kept[option.name] = value;
+  }
+  try {
+    times = behaviorOptionsOf(kept, times);
+    if (std::abs(times.command_period_s - options_.command_period_s) > kSameDuration_s) {
+      return "The repertoire was learned with a command every " +
+             numberText(times.command_period_s) + " s, the executor sends one every " +
+             numberText(options_.command_period_s) + " s; give it the same command_period_s.";
+    }
+    checkReturnIsSlowEnough(robot_, times);
+    const double duration_s = durationOf(times);
+    if (std::abs(message.behavior_duration_s - duration_s) < kSameDuration_s) return "";
+    return "The repertoire's behaviours take " + numberText(message.behavior_duration_s) +
+           " s, but by its gait_duration_s, return_duration_s, rest_duration_s and end_pose, or "
+           "the executor's where it has none, " +
+           numberText(duration_s) + " s.";
+  } catch (const std::invalid_argument& error) {
+    return "The repertoire's times are refused: " + std::string(error.what());
+  }
 }
 
 std::string PlayableBehaviors::checkGenome(const Genome& genome) const {

@@ -13,14 +13,17 @@
 
 namespace hexapod {
 
-/// What may be played: the entries of the last repertoire that fits this robot, and bare genomes.
+/// What may be played: the entries of the last repertoire that fits this robot, and bare genomes,
+/// both as long as the repertoire says: gait, way back and rest are what it was learned with.
 /// Trusts no message. Not thread-safe.
 class PlayableBehaviors {
  public:
+  /// `options`: the command period, and the times of bare genomes until there is a repertoire.
   PlayableBehaviors(const RobotDescription& robot, const BehaviorOptions& options);
 
   /// Takes over a repertoire, or returns a sentence why it does not fit: another robot, joints or
-  /// duration, illegal entries. Refused, the one before stays in use.
+  /// command period, times that contradict each other, illegal entries. Refused, the one before
+  /// stays in use.
   std::string update(const hexapod_repertoire::Repertoire& message);
 
   /// The behaviour of a goal; nullptr with a sentence in `problem` when it names none.
@@ -29,6 +32,9 @@ class PlayableBehaviors {
 
   std::size_t entryCount() const { return genomes_.size(); }
 
+  /// How behaviours are played now.
+  const BehaviorOptions& options() const { return options_; }
+
   /// The body they were learned for, as a text; empty: the robot as its files describe it.
   const std::string& body() const { return body_; }
 
@@ -36,12 +42,13 @@ class PlayableBehaviors {
   using Genomes = std::unordered_map<std::int64_t, Genome>;
 
   std::string mismatch(const hexapod_repertoire::Repertoire& message) const;
+  std::string readTimes(const hexapod_repertoire::Repertoire& message,
+                        BehaviorOptions& times) const;
   std::string readEntries(const hexapod_repertoire::Repertoire& message, Genomes& genomes) const;
   std::string checkGenome(const Genome& genome) const;
 
   const RobotDescription& robot_;
   BehaviorOptions options_;
-  double duration_s_;
   std::string run_id_;
   std::string body_;
   std::string problem_;  // why there is none

@@ -78,6 +78,68 @@ TEST_F(PlayableBehaviorsTest, SaysWhyThereIsNothingToPlayFrom) {
   EXPECT_NE(problemOf(goal(7, "run")).find("0123"), std::string::npos);
 }
 
+class TimesOfARepertoire : public PlayableBehaviorsTest {
+ protected:
+  void learnedWith(const std::string& name, const std::string& value) {
+    repertoire_.option_names.push_back(name);
+    repertoire_.option_values.push_back(value);
+  }
+
+  std::size_t commandsOf(const hexapod_repertoire::ExecuteBehaviorGoal& goal) {
+    std::string problem;
+    const auto behavior = behaviors_.find(goal, problem);
+    EXPECT_EQ(problem, "");
+    return behavior ? behavior->commandCount() : 0;
+  }
+
+  hexapod_repertoire::ExecuteBehaviorGoal bareGoal() {
+    hexapod_repertoire::ExecuteBehaviorGoal bare;
+    bare.entry_id = -1;
+    bare.genome.assign(shippedRobot().geneCount(), 1);
+    return bare;
+  }
+};
+
+TEST_F(TimesOfARepertoire, AreThoseThatItsEntriesAndBareGenomesArePlayedWith) {
+  EXPECT_EQ(commandsOf(bareGoal()), 130u);  // (3 + 0.6 + 0.3) s / 30 ms
+  learnedWith("gait_duration_s", "1.5");
+  learnedWith("return_duration_s", "0.9");
+  learnedWith("rest_duration_s", "0.6");
+  learnedWith("seed", "1");
+  repertoire_.behavior_duration_s = 3.0;
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  EXPECT_EQ(commandsOf(goal(7, "run")), 100u);
+  EXPECT_EQ(commandsOf(bareGoal()), 100u);
+}
+
+TEST_F(TimesOfARepertoire, OfThePaperEndAfterTheGait) {
+  learnedWith("end_pose", "after_gait");
+  repertoire_.behavior_duration_s = 3.0;
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  EXPECT_EQ(commandsOf(goal(7, "run")), 100u);
+}
+
+TEST_F(TimesOfARepertoire, AreRefusedWhereTheyContradictEachOther) {
+  learnedWith("gait_duration_s", "1.5");
+  const std::string said = behaviors_.update(repertoire_);
+  EXPECT_NE(said.find("take 3.9 s"), std::string::npos) << said;
+  EXPECT_NE(said.find("2.4 s"), std::string::npos) << said;
+}
+
+TEST_F(TimesOfARepertoire, AreRefusedWithAnotherCommandPeriod) {
+  learnedWith("command_period_s", "0.02");
+  const std::string said = behaviors_.update(repertoire_);
+  EXPECT_NE(said.find("every 0.02 s"), std::string::npos) << said;
+  EXPECT_NE(said.find("command_period_s"), std::string::npos) << said;
+}
+
+TEST_F(TimesOfARepertoire, AreRefusedWhereAJointCannotBeBackInTime) {
+  learnedWith("return_duration_s", "0.03");
+  repertoire_.behavior_duration_s = 3.33;
+  const std::string said = behaviors_.update(repertoire_);
+  EXPECT_NE(said.find("return_duration_s is 0.03"), std::string::npos) << said;
+}
+
 TEST(ExecutorNodeOptions, TheVelocityLimitIsNoOptionOfTheExecutor) {
   ExecutorNodeOptions options;
   EXPECT_TRUE(options.behavior.limit_velocity);
