@@ -5,7 +5,7 @@
 
 #include "evolution/algorithms.h"
 #include "repertoire/digest.h"
-#include "robot/dimensions.h"
+#include "robot/stride.h"
 #include "simulation/body_text.h"
 
 namespace hexapod {
@@ -68,7 +68,7 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "novelty_threshold_m, novelty_threshold_min_m, cell_m and cvt_radius_m are multiplied "
              "with it and "
              "spread_weight_rad_per_m is divided by it; 0: by the reach of the robot's legs over "
-             "the 0.29 m that these are made for.",
+             "the 0.29 m that these are made for, and by less for feet that step less far for it.",
              0.0, 1000.0),
       option("verify_with_ode", options.verify_with_ode,
              "Replay all entries of the engine reduced in ODE when learning is done, and leave out "
@@ -99,7 +99,7 @@ std::vector<Option> declareOptions(LearnOptions& options) {
 }
 
 LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options) {
-  if (options.length_scale == 0.0) options.length_scale = lengthScale(robot);
+  if (options.length_scale == 0.0) options.length_scale = strideScale(robot);
   options.evolution.novelty_threshold_m *= options.length_scale;
   options.evolution.novelty_threshold_min_m *= options.length_scale;
   options.map_elites.cell_m *= options.length_scale;

@@ -50,7 +50,7 @@ std::vector<Option> declareOptions(LearnOptions& options);
 /// budget allows where there is that.
 LearnOptions withBudget(LearnOptions options);
 
-/// The same with all lengths multiplied by `length_scale`, or by the robot's own lengthScale()
+/// The same with all lengths multiplied by `length_scale`, or by the robot's own strideScale()
 /// where that is 0, with what counts per metre divided by it, and with the body in one spelling.
 /// Throws std::invalid_argument as bodyFromText() does.
 LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options);

@@ -20,9 +20,12 @@ namespace hexapod {
 namespace {
 
 constexpr int kMostGaitsInOde = 40;  // which take as long
-// Strokes that are tried, and the share of gaits that has to walk for the first that does.
+// Strokes that are tried, and the share of gaits that has to walk for the first that does. Legs
+// that touch are avoided by evolution once and for all; a robot that falls often also falls when it
+// is pushed.
 constexpr double kScales[] = {1.0, 0.75, 0.55, 0.4};
-constexpr double kEnoughWalk = 0.5;
+constexpr double kEnoughWalk = 0.12;
+constexpr double kMostFall = 0.5;
 constexpr double kFewWalk = 0.1;
 constexpr double kMostTilt_rad = 0.2;
 constexpr double kDegree = M_PI / 180.0;
@@ -73,6 +76,11 @@ ImportResult tried(ImportedRobot imported, double scale, const ImportRequest& re
 double walkingShare(const ImportResult& result) {
   if (result.gaits.gaits == 0) return 0.0;
   return static_cast<double>(result.gaits.walked()) / result.gaits.gaits;
+}
+
+double fallingShare(const ImportResult& result) {
+  if (result.gaits.gaits == 0) return 1.0;
+  return static_cast<double>(result.gaits.fell) / result.gaits.gaits;
 }
 
 // Links that the robot must not stand on.
@@ -137,7 +145,7 @@ ImportResult importRobot(const ImportRequest& request) {
                  scale));
       }
     }
-    if (best_share >= kEnoughWalk) break;
+    if (best_share >= kEnoughWalk && fallingShare(best) <= kMostFall) break;
   }
   best.not_mirrored = whyNotMirrored(best.robot);
   best.to_change = toChange(best);

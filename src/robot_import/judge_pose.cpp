@@ -12,6 +12,8 @@ constexpr double kLift = 0.20;
 constexpr double kMostAmplitude_rad = M_PI / 4.0;
 // The return to the neutral pose takes 0.6 s by default.
 constexpr double kReturn_s = 0.55;
+// A stroke to the side instead of ahead is for legs that can do nothing else.
+constexpr double kSideways = 0.04;
 // Levers below this share of the reach count less and less.
 constexpr double kLever = 0.12;
 
@@ -56,7 +58,7 @@ SignalMotion motionFor(const LegModel& leg, const LegPose& pose, const SignalSha
 
 double strokeQuality(const SignalMotion& motion, bool ahead) {
   const Eigen::Vector3d& v = motion.direction;
-  const double along = ahead ? v.x() : 0.25 * v.y();
+  const double along = ahead ? v.x() : kSideways * v.y();
   return std::max(0.0, along - 0.7 * std::abs(v.z()) - 0.1 * std::abs(ahead ? v.y() : v.x())) *
          std::sqrt(motion.room);
 }

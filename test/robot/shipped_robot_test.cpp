@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/dimensions.h"
+#include "robot/stride.h"
 #include "shipped_files.h"
 
 namespace hexapod {
@@ -86,6 +87,17 @@ TEST(ShippedRobot, IsTheMeasureOfOtherRobots) {
   EXPECT_NEAR(softCfmFor(robot), robot.contact.soft_cfm, 1e-15);
   EXPECT_NEAR(maxBaseHeightFor(robot), robot.failure.max_base_height_m, 1e-12);
   EXPECT_TRUE(robot.remarks.empty());
+}
+
+TEST(ShippedRobot, StepsAsFarAsTheMeasureOfOtherRobots) {
+  RobotDescription robot = shipped();
+  // The coxa turns the foot, 0.06 + 0.085 m beside it, by pi / 8 either way.
+  for (const Leg& leg : robot.legs) EXPECT_NEAR(stride_m(leg), M_PI / 8.0 * 0.145, 1e-9);
+  EXPECT_EQ(strideScale(robot), 1.0);
+  // Slow servos get as far as their velocity takes them in a quarter of a second.
+  for (Leg& leg : robot.legs) leg.segments[0].joint.max_velocity_rad_per_s = 0.4;
+  for (const Leg& leg : robot.legs) EXPECT_NEAR(stride_m(leg), 0.1 * 0.145, 1e-9);
+  EXPECT_NEAR(strideScale(robot), 0.0145 / (0.19 * 0.29), 0.005);
 }
 
 TEST(ShippedRobot, StandsOnFeetBesideItsHips) {
