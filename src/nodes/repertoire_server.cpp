@@ -1,6 +1,10 @@
-// Publishes a stored repertoire: topic repertoire, service get_repertoire.
+// Publishes a stored repertoire: topic repertoire, services get_repertoire and ~load.
 #include <ros/ros.h>
 
+#include <exception>
+#include <string>
+
+#include "hexapod_repertoire/LoadRepertoire.h"
 #include "repertoire/find_repertoire.h"
 #include "repertoire/repertoire_file.h"
 #include "ros_interface/common/node_process.h"
@@ -15,16 +19,38 @@ std::vector<Option> declareOptions(std::string& file) {
                  "SQLite file of a repertoire; empty: the newest ~/.ros/hexapod_repertoire*.db.")};
 }
 
+/// Publishes the newest or the named file; returns what is published in words. Throws as
+/// loadRepertoire() does, and then nothing has changed.
+std::string publish(const std::string& named, RepertoirePublisher& publisher) {
+  const std::string file = findRepertoire(expandHome(named), expandHome("~/.ros"));
+  const Repertoire repertoire = loadRepertoire(file);
+  publisher.publish(repertoire);
+  std::string words =
+      "Publishing " + std::to_string(repertoire.entries.size()) + " entries of " + file + ".";
+  ROS_INFO_STREAM(words);
+  return words;
+}
+
 int serve() {
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
   std::string file;
   loadParams(private_node, declareOptions(file));
-  file = findRepertoire(expandHome(file), expandHome("~/.ros"));
   RepertoirePublisher publisher(node);
-  const Repertoire repertoire = loadRepertoire(file);
-  publisher.publish(repertoire);
-  ROS_INFO_STREAM("Publishing " << repertoire.entries.size() << " entries of " << file << ".");
+  publish(file, publisher);
+  using Load = hexapod_repertoire::LoadRepertoire;
+  const boost::function<bool(Load::Request&, Load::Response&)> on_load =
+      [&publisher](Load::Request& request, Load::Response& response) {
+        try {
+          response.message = publish(request.file, publisher);
+          response.success = true;
+        } catch (const std::exception& error) {
+          response.message = error.what();
+          response.success = false;
+        }
+        return true;
+      };
+  const ros::ServiceServer load = private_node.advertiseService("load", on_load);
   ros::AsyncSpinner spinner(1);
   spinner.start();
   waitUntilAskedToLeave();

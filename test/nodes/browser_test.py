@@ -6,7 +6,8 @@ import pytest
 
 rospy = pytest.importorskip("rospy")
 # pylint: disable=wrong-import-position
-from hexapod_repertoire.msg import ExecutorState, Repertoire, StepReport
+from hexapod_repertoire.msg import ExecutorState, Repertoire, RepertoireFilter, StepReport
+from hexapod_repertoire.srv import ChooseEntry, LoadRepertoire
 from sensor_msgs.msg import JointState
 from visualization_msgs.msg import (InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray)
 
@@ -87,6 +88,46 @@ def test_looking_moves_nothing(session, clicks):
     words.wait(lambda array: any(f"entry {entry.id}\n" in marker.text for marker in array.markers),
                "the entry in words")
     assert ExecutorState.WALKING not in {state.state for state in commands.messages}
+
+
+def choose(entry_id, play=False):
+    rospy.wait_for_service("browser/choose", WALL_TIMEOUT_S)
+    return rospy.ServiceProxy("browser/choose", ChooseEntry)(entry_id=entry_id, play=play)
+
+
+def test_an_entry_is_shown_by_its_id_and_an_unknown_one_is_not(session, clicks):
+    words = Ear("entry_markers", MarkerArray)
+    entry = repertoire_of(session)[2]
+    answer = choose(entry.id)
+    assert answer.success and f"entry {entry.id}\n" in answer.message
+    words.wait(lambda array: any(f"entry {entry.id}\n" in marker.text for marker in array.markers),
+               "the entry in words")
+    assert not choose(-5).success
+
+
+def test_what_the_filter_leaves_out_is_neither_drawn_nor_clicked(session):
+    drawn = Ear("repertoire_markers", MarkerArray)
+    publisher = rospy.Publisher("repertoire_filter", RepertoireFilter, queue_size=1, latch=True)
+    spread_m = sorted(entry.spread_m for entry in repertoire_of(session))[5]
+    steady = sum(entry.spread_m <= spread_m for entry in repertoire_of(session))
+    publisher.publish(max_orientation_error_rad=-1.0, max_spread_m=spread_m)
+    drawn.wait(lambda array: len(array.markers[0].points) == steady, "fewer markers")
+    handles = Ear("repertoire_handles/update_full", InteractiveMarkerInit)
+    handles.wait(lambda m: len(m.markers[0].controls[0].markers[0].points) == steady,
+                 "fewer handles")
+    publisher.publish(max_orientation_error_rad=-1.0, max_spread_m=-1.0)
+    everything = len(repertoire_of(session))
+    drawn.wait(lambda array: len(array.markers[0].points) == everything, "all markers again")
+
+
+def test_another_file_is_published_and_one_that_cannot_be_changes_nothing(session):
+    rospy.wait_for_service("repertoire_server/load", WALL_TIMEOUT_S)
+    load = rospy.ServiceProxy("repertoire_server/load", LoadRepertoire)
+    refused = load(file="/nowhere/a.db")
+    assert not refused.success and "/nowhere/a.db" in refused.message
+    before = repertoire_of(session)
+    answer = load(file=str(session.folder / "small.db"))
+    assert answer.success and f"{len(before)} entries" in answer.message
 
 
 def test_the_entry_that_was_clicked_is_executed_and_ends_as_predicted(session, clicks):

@@ -11,10 +11,10 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 # What CMake or pkg-config calls a library, and what package.xml calls it.
 NAME_IN_PACKAGE_XML = {
     "Eigen3": "eigen", "TBB": "tbb", "ode": "opende", "urdfdom": "liburdfdom-dev",
-    "GTest": "gtest", "MPI": "mpi", "pybind11": "pybind11-dev",
+    "GTest": "gtest", "MPI": "mpi", "Qt5": "qtbase5-dev", "pybind11": "pybind11-dev",
 }
-# Parts of CMake, of the compiler, or of [tools].
-NOT_DEPENDENCIES = {"PkgConfig", "Threads", "catkin"}
+# Parts of CMake, of the compiler, of [tools], or what pluginlib's headers include.
+NOT_DEPENDENCIES = {"PkgConfig", "Threads", "catkin", "class_loader", "rcpputils", "rcutils"}
 # Python modules whose Debian package is called otherwise in package.xml.
 MODULE_IN_PACKAGE_XML = {
     "numpy": "python3-numpy", "matplotlib": "python3-matplotlib",
@@ -66,6 +66,7 @@ def found_by_cmake():
                      for file in [ROOT / "CMakeLists.txt", *files("CMakeLists.txt")])
     found = set(re.findall(r"find_package\(([\w-]+)", text))
     found |= set(re.findall(r"pkg_check_modules\([^)]*?([\w-]+)\)", text))
+    found |= set(re.findall(r"find_(?:path|library)\(\w+ (\w+)", text))
     for components in re.findall(r"find_package\(catkin[^)]*COMPONENTS([^)]*)\)", text):
         found |= set(components.split())
     return {NAME_IN_PACKAGE_XML.get(name, name) for name in found - NOT_DEPENDENCIES}

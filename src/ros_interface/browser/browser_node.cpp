@@ -3,7 +3,10 @@
 #include <ros/callback_queue.h>
 #include <ros/console.h>
 
+#include <algorithm>
 #include <exception>
+#include <iterator>
+#include <limits>
 #include <utility>
 
 #include "hexapod_repertoire/StepReport.h"
@@ -52,6 +55,9 @@ BrowserNode::BrowserNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
         ModelPlayer::Frames{options_.pose.global_frame, options_.pose.base_frame});
   }
   repertoire_subscriber_ = node.subscribe(names::kRepertoire, 1, &BrowserNode::receive, this);
+  filter_subscriber_ =
+      node.subscribe(names::kRepertoireFilter, 1, &BrowserNode::receiveFilter, this);
+  choose_ = private_node.advertiseService("choose", &BrowserNode::onChoose, this);
 }
 
 void BrowserNode::makeRobotPlayer(ros::NodeHandle& node) {
@@ -98,11 +104,7 @@ void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& messag
     ROS_ERROR_STREAM("The repertoire cannot be shown: " << error.what());
     return;
   }
-  visualization_msgs::MarkerArray array = repertoireMarkers(repertoire_, kOriginFrame);
-  const auto scene = sceneMarkers(robot_, repertoire_, kOriginFrame);
-  array.markers.insert(array.markers.end(), scene.markers.begin(), scene.markers.end());
-  marker_publisher_.publish(array);
-  handle_.show(repertoire_);
+  showRepertoire();
   const auto best = bestEntry(repertoire_.entries);
   if (!model_ || !options_.play_best || clicked_ || !best) return;
   const Entry& entry = repertoire_.entries[*best];
@@ -111,17 +113,58 @@ void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& messag
   show(entry, origin_, {}, playOnModel(entry));
 }
 
+void BrowserNode::receiveFilter(const hexapod_repertoire::RepertoireFilter::ConstPtr& message) {
+  const auto orAny = [](double most) {
+    return most < 0.0 ? std::numeric_limits<double>::infinity() : most;
+  };
+  filter_ = {orAny(message->max_orientation_error_rad), orAny(message->max_spread_m)};
+  if (learned_) showRepertoire();
+}
+
+void BrowserNode::showRepertoire() {
+  shown_ = repertoire_;
+  shown_.entries.clear();
+  std::copy_if(repertoire_.entries.begin(), repertoire_.entries.end(),
+               std::back_inserter(shown_.entries),
+               [this](const Entry& entry) { return filter_.passes(entry); });
+  visualization_msgs::MarkerArray array = repertoireMarkers(shown_, kOriginFrame);
+  const auto scene = sceneMarkers(robot_, shown_, kOriginFrame);
+  array.markers.insert(array.markers.end(), scene.markers.begin(), scene.markers.end());
+  marker_publisher_.publish(array);
+  handle_.show(shown_);
+}
+
+bool BrowserNode::onChoose(hexapod_repertoire::ChooseEntry::Request& request,
+                           hexapod_repertoire::ChooseEntry::Response& response) {
+  const auto& entries = repertoire_.entries;
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return entry.id == request.entry_id; });
+  if (found == entries.end()) {
+    response.message = "The published repertoire has no entry " + std::to_string(request.entry_id) +
+                       "; it has " + std::to_string(entries.size()) + " entries.";
+    return true;
+  }
+  const std::string problem = choose(*found, request.play != 0);
+  response.success = problem.empty();
+  response.message = problem.empty() ? describe(*found) : problem;
+  return true;
+}
+
 void BrowserNode::onClick(ArchiveHandle::Wish wish, double x_m, double y_m) {
-  const auto found = entryNear(repertoire_.entries, x_m, y_m, kClickReach_m);
-  if (!found) return;
+  const auto found = entryNear(shown_.entries, x_m, y_m, kClickReach_m);
+  if (found) choose(shown_.entries[*found], wish == ArchiveHandle::Wish::kPlay);
+}
+
+/// Shows an entry and plays it if asked; returns why it is not played, or "".
+std::string BrowserNode::choose(const Entry& entry, bool play) {
   clicked_ = true;
-  const Entry& entry = repertoire_.entries[*found];
   std::string remark;
-  if (wish == ArchiveHandle::Wish::kPlay) {
+  if (play) {
     remark = model_ ? playOnModel(entry) : player_->play(repertoire_.run_id, entry);
   }
   if (!remark.empty()) ROS_WARN_STREAM("Entry " << entry.id << " is not played: " << remark);
   show(entry, origin_, {}, remark);
+  return remark;
 }
 
 /// Empty, or why not.

@@ -11,8 +11,11 @@
 #include <optional>
 #include <string>
 
+#include "hexapod_repertoire/ChooseEntry.h"
 #include "hexapod_repertoire/ExecutorState.h"
 #include "hexapod_repertoire/Repertoire.h"
+#include "hexapod_repertoire/RepertoireFilter.h"
+#include "repertoire/entry_filter.h"
 #include "ros_interface/browser/archive_handle.h"
 #include "ros_interface/browser/browser_options.h"
 #include "ros_interface/browser/model_player.h"
@@ -24,7 +27,8 @@
 namespace hexapod {
 
 /// A repertoire to look at and to click in rviz: repertoire_markers, entry_markers (latched), the
-/// interactive marker of repertoire_handles, ~step_report for what the robot played.
+/// interactive marker of repertoire_handles, ~step_report for what the robot played, ~choose to
+/// show or play an entry by its id. Entries that repertoire_filter leaves out are not there.
 ///
 /// The archive is drawn in the frame repertoire_origin, which this node publishes: where the robot
 /// last stood. It stays there while the body moves.
@@ -40,6 +44,11 @@ class BrowserNode {
  private:
   void receive(const hexapod_repertoire::Repertoire::ConstPtr& message);
   void receiveState(const hexapod_repertoire::ExecutorState::ConstPtr& state);
+  void receiveFilter(const hexapod_repertoire::RepertoireFilter::ConstPtr& message);
+  bool onChoose(hexapod_repertoire::ChooseEntry::Request& request,
+                hexapod_repertoire::ChooseEntry::Response& response);
+  void showRepertoire();
+  std::string choose(const Entry& entry, bool play);
   void onClick(ArchiveHandle::Wish wish, double x_m, double y_m);
   std::string playOnModel(const Entry& entry);
   void tell(const RobotPlayer::Report& report);
@@ -62,6 +71,8 @@ class BrowserNode {
   ros::Publisher step_publisher_;
   ArchiveHandle handle_;
   Repertoire repertoire_;
+  EntryFilter filter_;
+  Repertoire shown_;  // what passes the filter
   std::optional<LearnedWorld> learned_;
   bool clicked_ = false;
   std::optional<std::int64_t> best_;  // id of the entry that is played until one is clicked
@@ -72,6 +83,8 @@ class BrowserNode {
   std::unique_ptr<RobotPlayer> player_;
   ros::Subscriber repertoire_subscriber_;
   ros::Subscriber state_subscriber_;
+  ros::Subscriber filter_subscriber_;
+  ros::ServiceServer choose_;
 };
 
 }  // namespace hexapod

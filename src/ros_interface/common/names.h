@@ -8,6 +8,7 @@ namespace names {
 
 // Topics.
 constexpr char kRepertoire[] = "repertoire";
+constexpr char kRepertoireFilter[] = "repertoire_filter";
 constexpr char kJointCommand[] = "joint_command";
 constexpr char kJointStates[] = "joint_states";
 constexpr char kRobotReset[] = "robot_reset";

@@ -39,7 +39,8 @@ LearnerCore::LearnerCore(const RobotDescription& robot, const LearnerOptions& op
       leaves_(std::move(leaves)),
       session_(robot, options.learn,
                [&clock] { return 1e-9 * static_cast<double>(clock.steadyNow_ns()); }),
-      run_id_(session_.repertoire().run_id) {}
+      run_id_(session_.repertoire().run_id),
+      paused_(options.start_paused) {}
 
 LearnerCore::Answer LearnerCore::save() {
   const std::string problem = session_.saveNow();
@@ -58,6 +59,7 @@ int LearnerCore::run() {
                                   << " evaluations into " << options_.learn.repertoire_file << ".");
   if (!session_.startRemark().empty()) ROS_INFO_STREAM(session_.startRemark());
   if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
+  waitWhilePaused();
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { onProgress(); };
   hooks.save_failed = [this](const std::string& problem) {

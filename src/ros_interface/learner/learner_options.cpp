@@ -10,6 +10,8 @@ std::vector<Option> declareOptions(LearnerOptions& options) {
                        "The growing repertoire is published at most this often.", 0.1, 86400.0));
   all.push_back(option("exit_when_done", options.exit_when_done,
                        "End when the budget is used up; false: go on publishing."));
+  all.push_back(option("start_paused", options.start_paused,
+                       "Learn nothing before ~pause is called with false."));
   return all;
 }
 

@@ -14,6 +14,7 @@ struct LearnerOptions {
   std::string robot_config;
   double publish_period_s = 10.0;
   bool exit_when_done = false;
+  bool start_paused = false;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

@@ -168,6 +168,19 @@ TEST_F(LearnerCoreTest, DoneItServesUntilItIsToLeaveAndHasNothingToPause) {
   EXPECT_TRUE(fs::exists(options_.learn.repertoire_file));
 }
 
+TEST_F(LearnerCoreTest, StartedPausedItLearnsNothingBeforeItIsToGoOn) {
+  options_.start_paused = true;
+  int paused = 0;
+  on_tell = [&](const Progress& progress) {
+    if (progress.phase != "paused") return;
+    EXPECT_EQ(progress.evaluations, 0);
+    if (++paused == 3) core_->pause(false);
+  };
+  EXPECT_EQ(core().run(), 0);
+  EXPECT_EQ(paused, 3);
+  EXPECT_EQ(told_.back().phase, "done");
+}
+
 TEST_F(LearnerCoreTest, AskedToLeaveWhilePausedItKeepsWhatItHas) {
   on_tell = [&](const Progress& progress) {
     if (progress.phase == "paused") {
