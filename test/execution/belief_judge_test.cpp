@@ -108,8 +108,8 @@ TEST_F(BeliefJudgeTest, DoesWithoutLegsThatAPersonSaysAreNotThere) {
 
 TEST_F(BeliefJudgeTest, NamesTheLegsThereAreWhenItIsToldOfAnother) {
   try {
-    BeliefJudge(shippedRobot(), 2, "left_middle, tail");
-    FAIL();
+    const BeliefJudge judge(shippedRobot(), 2, "left_middle, tail");
+    FAIL() << judge.problem(now_ns_);
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("'tail'"), std::string::npos) << error.what();
     EXPECT_NE(std::string(error.what()).find("right_rear"), std::string::npos) << error.what();
