@@ -1,6 +1,7 @@
 """Asks a walking session from the command line: go, stop, arm, info."""
 import argparse
 import math
+import os
 import sys
 from typing import Any, List, Optional
 
@@ -10,9 +11,10 @@ from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Odometry
 from std_srvs.srv import Trigger
 
+from hexapod_repertoire import walk_log
 from hexapod_repertoire.demo import to_message, to_pose
-from hexapod_repertoire.msg import (ExecutorState, Repertoire, WalkToActionFeedback, WalkToGoal,
-                                    WalkToResult)
+from hexapod_repertoire.msg import (ExecutorState, Repertoire, StepReport, WalkToActionFeedback,
+                                    WalkToGoal, WalkToResult)
 from hexapod_repertoire.srv import GoToResponse
 from hexapod_repertoire.waiting import Latest, Silence, Walker
 
@@ -34,6 +36,9 @@ def parser() -> argparse.ArgumentParser:
     go.add_argument("yaw_deg", type=float, nargs="?", help="left out: any heading will do")
     go.add_argument("--frame", default="odom", help="of the pose [odom]; base_footprint: from here")
     go.add_argument("--plan", action="store_true", help="plan only, show it in rviz, do not move")
+    go.add_argument("--log", metavar="FILE.csv",
+                    help="write what each behaviour was predicted and measured to do, for ./run report "
+                         "--walk and ./run show --walk")
     verbs.add_parser("stop", help="the executor sends nothing from this moment on")
     verbs.add_parser("arm", help="the executor stands the robot up, ready to walk")
     verbs.add_parser("info", help="what runs, and in what state it is")
@@ -82,11 +87,32 @@ def end_of_walk(result: WalkToResult, is_plan: bool) -> str:
     return text
 
 
+class Logbook:
+    """The behaviours of a walk, written when it is over."""
+
+    def __init__(self, path: Optional[str]) -> None:
+        self._path = path
+        self._steps: List[walk_log.Step] = []
+        self._subscriber = rospy.Subscriber("planner/step_report", StepReport, self._add)
+
+    def _add(self, message: StepReport) -> None:
+        poses = ((pose.x, pose.y, pose.theta)
+                 for pose in (message.start, message.predicted, message.measured))
+        self._steps.append(walk_log.Step(message.entry_id, *poses))
+
+    def write(self) -> None:
+        """Writes the log, if a path was named."""
+        if self._path:
+            walk_log.write(self._path, self._steps)
+            print(f"Written: {os.path.abspath(self._path)}")
+
+
 def go(arguments: argparse.Namespace) -> int:
     """Walks; 0 only if the goal was reached. Ctrl-C cancels the goal."""
     goal = goal_of(arguments)
     walker = Walker()
     _steps = rospy.Subscriber("walk_to/feedback", WalkToActionFeedback, tell_steps)
+    logbook = Logbook(arguments.log)
     try:
         result = walker.walk(goal)
     except (KeyboardInterrupt, rospy.ROSInterruptException):
@@ -94,6 +120,7 @@ def go(arguments: argparse.Namespace) -> int:
         print("Cancelled: the robot stops at the end of its behaviour.", file=sys.stderr)
         return INTERRUPTED
     print(end_of_walk(result, arguments.plan))
+    logbook.write()
     return 0 if result.code == GoToResponse.SUCCEEDED else 1
 
 

@@ -8,6 +8,7 @@ import os
 import pathlib
 import signal
 import sys
+import time
 import xmlrpc.client
 from typing import Any, List
 
@@ -19,6 +20,8 @@ from roslaunch.rlutil import get_or_generate_uuid
 
 from hexapod_repertoire.launch_arguments import (HELP_WORDS, help_text, problem_with,
                                                  with_absolute_paths)
+from hexapod_repertoire.leave_picture import leave_picture, newer_than
+from hexapod_repertoire.repertoire_data import Unreadable
 
 WRONG_OPTIONS = 2  # exit code of our nodes
 INTERRUPTED = 128 + signal.SIGINT
@@ -141,6 +144,26 @@ def run_session(launch_file: str, arguments: List[str]) -> int:
     return session.exit_code
 
 
+def learned_file(launch_file: str, arguments: List[str]) -> str:
+    """The file that the learner of a launch file writes; "" when it has none."""
+    if pathlib.Path(launch_file).stem != "learn":
+        return ""
+    config = load_config_default([(launch_file, arguments)], None, verbose=False)
+    param = config.params.get("/learner/repertoire_file")
+    return os.path.expanduser(param.value) if param else ""
+
+
+def draw_learned(file: str, since_s: float) -> None:
+    """Leaves a picture beside what was learned since then. It is no failure of the session when that
+    cannot be."""
+    if not file or not newer_than(file, since_s):
+        return
+    try:
+        print("Picture: " + leave_picture(file), flush=True)
+    except (Unreadable, OSError) as problem:
+        print(f"No picture was drawn: {problem}", file=sys.stderr)
+
+
 def main(argv: List[str]) -> int:
     """Launches argv[0] with the arguments argv[1:] (name:=value) and returns the exit code.
 
@@ -167,7 +190,10 @@ def main(argv: List[str]) -> int:
               "session first (Ctrl-C in its terminal), or use a master of your own: "
               f"ROS_MASTER_URI=http://127.0.0.1:11312 ./run {verb}", file=sys.stderr)
         return 2
-    return run_session(launch_file, arguments)
+    begun_s = time.time()
+    code = run_session(launch_file, arguments)
+    draw_learned(learned_file(launch_file, arguments), begun_s)
+    return code
 
 
 if __name__ == "__main__":

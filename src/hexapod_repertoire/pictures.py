@@ -99,6 +99,14 @@ def finish_top_view(axes) -> None:
     axes.grid(True, linewidth=0.3)
 
 
+def save_repertoire(path: str, poses: np.ndarray) -> None:
+    """Writes a PNG with the end poses, shape (n, 3), of a repertoire."""
+    figure, axes = plt.subplots(figsize=(7, 6), constrained_layout=True)
+    draw_repertoire(axes, poses)
+    figure.savefig(path, dpi=110, bbox_inches="tight")
+    plt.close(figure)
+
+
 def save_picture(path: str, repertoire: Sequence[Pose], walks: List[Walk]) -> None:
     """Writes a PNG with the repertoire on the left and the walks on the right."""
     figure, (left, right) = plt.subplots(1, 2, figsize=(13, 6), constrained_layout=True)

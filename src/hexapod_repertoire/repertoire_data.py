@@ -40,6 +40,17 @@ class Stored:
         executed = np.stack([self.entries["executed_x_m"], self.entries["executed_y_m"]], axis=1)
         return np.linalg.norm(executed - self.positions_m, axis=1)
 
+    def describe(self, i: int) -> str:
+        """Row i of the entries in words: where it leads and how reliably."""
+        e = self.entries
+        text = (f"entry {e['id'][i]:.0f}: {e['x_m'][i]:+.3f} m, {e['y_m'][i]:+.3f} m, "
+                f"{math.degrees(e['yaw_rad'][i]):+.0f} deg\n"
+                f"orientation error {math.degrees(e['orientation_error_rad'][i]):.2f} deg")
+        if e["trials"][i] > 0:
+            text += (f"\nin {e['trials'][i]:.0f} trials: spread {100 * e['spread_m'][i]:.2f} cm, "
+                     f"shift {100 * self.shift_m[i]:.2f} cm, {e['falls'][i]:.0f} falls")
+        return text
+
     def worlds(self) -> Dict[str, Dict[str, float]]:
         """What is left of it in other worlds: name of the world -> measure -> value."""
         found: Dict[str, Dict[str, float]] = {}

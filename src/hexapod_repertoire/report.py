@@ -7,10 +7,11 @@ import html
 import math
 import pathlib
 import sys
-from typing import Callable, Dict, List, Sequence, Tuple
+from typing import Callable, Dict, List, Optional, Sequence, Tuple
 
 import numpy as np
 
+from hexapod_repertoire import gait_diagram, recordings, walk_log
 from hexapod_repertoire import report_figures as figures
 from hexapod_repertoire.repertoire_data import Stored, Unreadable, load
 
@@ -106,8 +107,34 @@ def telling_entries(stored: Stored) -> List[int]:
                                                y_m.argmin(), turn.argmax())))
 
 
-def page(stored: Sequence[Stored]) -> str:
-    """The whole page."""
+def gaits(stored: Stored, file: str, program: str) -> str:
+    """Gait diagrams of telling entries, played in simulation; a sentence where they cannot be."""
+    chosen = telling_entries(stored)
+    if not chosen:
+        return ""
+    try:
+        recording = recordings.record(program, file, [int(stored.entries["id"][i]) for i in chosen])
+    except ValueError as problem:
+        return f"<p>{html.escape(stored.name)}: not drawn. {html.escape(str(problem))}</p>"
+    drawn = [figures.as_svg(gait_diagram.gait_diagram(recording, played))
+             for played in recording.played]
+    return side_by_side([stored.name] * len(drawn), drawn, "small")
+
+
+def walks(logs: Sequence[str]) -> str:
+    """Each log's walk, predicted against measured."""
+    parts = ["<h2>Walks</h2><p>Squares: where each behaviour was predicted to end; dots: where it was "
+             "measured to.</p>"]
+    for log in logs:
+        steps = walk_log.read(log)
+        drawn = figures.as_svg(walk_log.draw(steps)) if steps else "<p>Nothing was walked.</p>"
+        parts.append(f"<figure>{drawn}<figcaption>{html.escape(walk_log.name_of(log))}</figcaption>"
+                     "</figure>")
+    return "".join(parts)
+
+
+def page(stored: Sequence[Stored], more: Sequence[str] = ()) -> str:
+    """The whole page; `more`: further chapters."""
     names = [one.name for one in stored]
     half_m = figures.reach_m(stored)
     parts = [f"<h1>{html.escape(' and '.join(names))}</h1>",
@@ -133,10 +160,29 @@ def page(stored: Sequence[Stored]) -> str:
         chosen = telling_entries(one)
         parts.append(side_by_side([one.name] * len(chosen),
                                   [figures.signals(one, i) for i in chosen], "small"))
+    parts += more
     return ("<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
             '<meta name="viewport" content="width=device-width, initial-scale=1">'
             f"<link rel=\"icon\" href=\"data:,\"><title>{html.escape(' and '.join(names))}</title>"
             f"<style>{STYLE}</style></head><body>{''.join(parts)}</body></html>\n")
+
+
+def gait_chapter(stored: Sequence[Stored], files: Sequence[str], program: Optional[str]) -> str:
+    """Stance and swing of telling entries; "" where nothing is built that could play them."""
+    if not program:
+        return ""
+    return ("<h2>Gaits of telling entries</h2><p>Dark while the foot of a leg stands; on the right "
+            "the share of the time that it does. The behaviour ends in the neutral pose.</p>" +
+            "".join(gaits(one, file, program) for one, file in zip(stored, files)))
+
+
+def compared(stored: Sequence[Stored]) -> str:
+    """The measures of files beside each other, as lines of a terminal."""
+    rows = [["", *(one.name for one in stored)],
+            *([label, *(value(one) for one in stored)] for label, value in MEASURES)]
+    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
+    return "\n".join("  ".join(cell.ljust(width) for cell, width in zip(row, widths)).rstrip()
+                     for row in rows)
 
 
 def main(argv: List[str]) -> int:
@@ -144,12 +190,22 @@ def main(argv: List[str]) -> int:
     parser = argparse.ArgumentParser(prog="./run report", description=__doc__)
     parser.add_argument("files", nargs="+", metavar="FILE.db", help="repertoires")
     parser.add_argument("--output", help="the page [the first file with .html instead of .db]")
+    parser.add_argument("--walk", action="append", default=[], metavar="LOG.csv",
+                        help="a walk to tell of, too: ./run go 1.0 0.5 45 --log LOG.csv")
+    parser.add_argument("--compare", action="store_true", help="print the measures as well")
+    parser.add_argument("--programs", type=pathlib.Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args(argv)
     try:
         stored = [load(path) for path in arguments.files]
+        program = arguments.programs and recordings.program_in(arguments.programs)
+        more = [gait_chapter(stored, arguments.files, program)]
+        if arguments.walk:
+            more.append(walks(arguments.walk))
+        if arguments.compare:
+            print(compared(stored))
         output = pathlib.Path(arguments.output or pathlib.Path(arguments.files[0]).with_suffix(".html"))
-        output.write_text(page(stored), encoding="utf-8")
-    except (Unreadable, OSError) as problem:
+        output.write_text(page(stored, more), encoding="utf-8")
+    except (Unreadable, ValueError, OSError) as problem:
         print(problem, file=sys.stderr)
         return 1
     print(f"Written: {output.absolute()}")

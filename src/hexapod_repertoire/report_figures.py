@@ -43,18 +43,6 @@ def _color(error_deg: float) -> str:
     return matplotlib.colors.to_hex(SHADES(min(error_deg / WORST_SHOWN_ERROR_DEG, 1.0)))
 
 
-def _words(stored: Stored, i: int) -> str:
-    """What is said of an entry when the mouse is over it."""
-    e = stored.entries
-    text = (f"entry {e['id'][i]:.0f}: {e['x_m'][i]:+.3f} m, {e['y_m'][i]:+.3f} m, "
-            f"{math.degrees(e['yaw_rad'][i]):+.0f} deg\n"
-            f"orientation error {math.degrees(e['orientation_error_rad'][i]):.2f} deg")
-    if e["trials"][i] > 0:
-        text += (f"\nin {e['trials'][i]:.0f} trials: spread {100 * e['spread_m'][i]:.2f} cm, "
-                 f"shift {100 * stored.shift_m[i]:.2f} cm, {e['falls'][i]:.0f} falls")
-    return text
-
-
 def archive(stored: Stored, half_m: float) -> str:
     """Every entry as in figure 3 of the paper: disc coloured by orientation error, heading solid,
     tangent of its arc dashed. The mouse over a disc names the entry."""
@@ -80,7 +68,7 @@ def archive(stored: Stored, half_m: float) -> str:
         across, down = place(x_m, y_m).split(",")
         parts.append(f'<circle cx="{across}" cy="{down}" r="3.2" '
                      f'fill="{_color(math.degrees(e["orientation_error_rad"][i]))}">'
-                     f"<title>{html.escape(_words(stored, i))}</title></circle>")
+                     f"<title>{html.escape(stored.describe(i))}</title></circle>")
     return "".join(parts) + "</svg>"
 
 

@@ -9,7 +9,8 @@ import pytest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "src"))
-from hexapod_repertoire import repertoire_data, report, report_figures  # noqa: E402
+from hexapod_repertoire import (gait_diagram, recordings, repertoire_data, report,  # noqa: E402
+                                report_figures, walk_log)
 
 VOID = {"meta", "link", "br", "img", "path", "circle", "rect", "stop", "use"}
 
@@ -119,6 +120,44 @@ def test_measures_of_known_entries(file):
 
 def test_an_empty_repertoire_has_a_page_too(tmp_path):
     Page(report.page([repertoire_data.load(write(tmp_path / "empty.db", []))]))
+
+
+def test_a_bar_for_each_time_that_a_foot_stands():
+    stands = recordings.np.array([True, True, False, False, True])
+    assert gait_diagram.spans(stands, 0.5) == [(0.0, 1.0), (2.0, 0.5)]
+    frame = '{"legs": [[[0, 0, 0.1], [0.1, 0, 0]]], "stands": [%s]}'
+    text = ('{"period_s": 0.5, "legs": ["left"], "behaviours": [{"id": 3, "start": [0, 0, 0], '
+            '"predicted": [1, 0, 0], "end": [1, 0, 0], "frames": [' +
+            ", ".join(frame % str(bool(one)).lower() for one in stands) + "]}]}")
+    played = recordings.parse(text).played[0]
+    assert played.entry_id == 3 and played.chains.shape == (5, 1, 2, 3)
+    assert gait_diagram.duty_factors(played).tolist() == [0.6]
+
+
+def test_a_walk_log_is_read_as_it_was_written_and_told_in_the_page(file, tmp_path):
+    steps = [walk_log.Step(7, (0.0, 0.0, 0.0), (0.5, 0.0, 3.1), (0.46, 0.03, -3.1))]
+    log = str(tmp_path / "walk.csv")
+    walk_log.write(log, steps)
+    assert walk_log.read(log) == steps
+    apart_m, turn_rad = steps[0].errors()
+    assert apart_m == pytest.approx(0.05) and turn_rad == pytest.approx(2.0 * math.pi - 6.2)
+    assert report.main([file, "--walk", log]) == 0
+    assert "walk.csv" in Page((tmp_path / "a <b>.html").read_text(encoding="utf-8")).texts
+
+
+def test_what_is_no_walk_log_is_told_in_a_sentence(tmp_path):
+    log = tmp_path / "walk.csv"
+    for text, says in (("a,b\n", "no walk log"), (",".join(walk_log.COLUMNS) + "\n1,2\n", "line 2")):
+        log.write_text(text)
+        with pytest.raises(ValueError, match=says):
+            walk_log.read(str(log))
+
+
+def test_measures_of_two_files_are_compared_in_columns(file, tmp_path):
+    other = write(tmp_path / "other.db", [(1.0, 0.0, 0.0, 0.0)])
+    lines = report.compared([repertoire_data.load(file), repertoire_data.load(other)]).splitlines()
+    assert lines[0].split() == ["a", "<b>.db", "other.db"]
+    assert lines[1].split() == ["entries", "2", "1"]
 
 
 @pytest.mark.parametrize("make, says", [
