@@ -1,0 +1,153 @@
+"""rviz, on a display of its own, with the shipped files: no complaint, markers seen, goals walked to."""
+import os
+import pathlib
+import shutil
+import subprocess
+
+import numpy as np
+import pytest
+
+rospy = pytest.importorskip("rospy")
+# pylint: disable=wrong-import-position
+import rosgraph
+from geometry_msgs.msg import PoseStamped
+from hexapod_repertoire.msg import WalkSummary
+from hexapod_repertoire.srv import GoToResponse
+
+from walking_session import BINARIES, ROOT, WalkingSession, wait_for
+
+PATIENCE_S = 60.0
+WIDTH, HEIGHT = 1280, 800
+# What rviz's own package of Debian says at every start, and what has no meaning here.
+NOT_OURS = ("no such package media_export", "librospack", "XDG_RUNTIME_DIR")
+MISSING = [name for name in ("rviz", "Xvfb", "xdotool") if not shutil.which(name)]
+# Continuous integration installs them.
+pytestmark = pytest.mark.skipif(bool(MISSING) and os.environ.get("CI") != "true",
+                                reason=f"not installed: {', '.join(MISSING)}")
+# Displays of each file, by the topics they listen to.
+TOPICS = {
+    "browse": {"/repertoire_markers", "/entry_markers", "/repertoire_handles/update"},
+    "walk": {"/repertoire_markers", "/entry_markers", "/repertoire_handles/update",
+             "/plan_markers", "/body_markers"},
+}
+
+
+class Screen:
+    """A virtual display whose pixels can be read."""
+
+    def __init__(self, folder):
+        self._folder = pathlib.Path(folder)
+        read_end, write_end = os.pipe()
+        self._server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{WIDTH}x{HEIGHT}x24",
+             "-fbdir", str(folder), "-nolisten", "tcp"], pass_fds=[write_end],
+            stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as number:
+            self.name = ":" + number.readline().strip()
+
+    def pixels(self):
+        """Red, green and blue of each pixel, shape (height, width, 3)."""
+        data = (self._folder / "Xvfb_screen0").read_bytes()
+        header = np.frombuffer(data[:100], ">u4")
+        begin, line = int(header[0]) + 12 * int(header[19]), int(header[12])
+        rows = np.frombuffer(data, np.uint8, line * HEIGHT, begin).reshape(HEIGHT, -1, 4)
+        return rows[:, :WIDTH, 2::-1].astype(int)
+
+    def do(self, *words):
+        """Moves the mouse and the keys: words for xdotool."""
+        subprocess.run(["xdotool", *map(str, words)], check=True,
+                       env={**os.environ, "DISPLAY": self.name})
+
+    def close(self):
+        self._server.kill()
+        self._server.wait()
+
+
+@pytest.fixture(scope="module", name="session")
+def start_session():
+    with WalkingSession(nodes=("repertoire_server", "simulated_robot", "executor", "planner",
+                               "browser"), real_time_factor=4.0, sim_time=True,
+                        params={"/browser/robot_config": str(ROOT / "config/hexapod.yaml"),
+                                "/browser/player": "robot"}) as session:
+        rospy.init_node("rviz_test", disable_signals=True)
+        yield session
+
+
+@pytest.fixture(name="screen")
+def open_screen(tmp_path):
+    screen = Screen(tmp_path)
+    yield screen
+    screen.close()
+
+
+class Rviz:
+    """rviz with a file of rviz/, as a context."""
+
+    def __init__(self, screen, file, folder):
+        self.log = pathlib.Path(folder) / "rviz.log"
+        environment = {**os.environ, "DISPLAY": screen.name, "LIBGL_ALWAYS_SOFTWARE": "1",
+                       "ROS_PACKAGE_PATH": f"{ROOT}:/usr/share",
+                       "CMAKE_PREFIX_PATH": str(BINARIES.parents[1])}
+        with open(self.log, "wb") as log:
+            self._process = subprocess.Popen(["rviz", "-d", str(file)], env=environment,
+                                             stdout=log, stderr=subprocess.STDOUT)
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self._process.kill()
+        self._process.wait()
+
+    def complaints(self):
+        """Lines of its log that say that something is wrong."""
+        lines = self.log.read_text(encoding="utf-8", errors="replace").splitlines()
+        return [line for line in lines if ("ERROR" in line or "Error" in line or "rror:" in line)
+                and not any(words in line for words in NOT_OURS)]
+
+
+def topics_of_rviz():
+    """What rviz has subscribed to."""
+    _, subscribers, _ = rosgraph.Master("/rviz_test").getSystemState()
+    return {topic for topic, nodes in subscribers if any(node.startswith("/rviz_1") or
+            node == "/rviz" for node in nodes)}
+
+
+def green_pixels(screen):
+    """How many pixels have the colour of well aligned entries."""
+    red, green, blue = np.moveaxis(screen.pixels(), 2, 0)
+    return int(((green > red + 60) & (green > blue + 60)).sum())
+
+
+def test_every_shipped_file_is_tried():
+    assert {file.stem for file in (ROOT / "rviz").glob("*.rviz")} == set(TOPICS)
+
+
+@pytest.mark.parametrize("name", sorted(TOPICS))
+def test_a_shipped_file_starts_without_a_complaint_and_shows_the_repertoire(
+        session, screen, tmp_path, name):
+    assert session
+    with Rviz(screen, ROOT / "rviz" / f"{name}.rviz", tmp_path) as rviz:
+        wait_for(lambda: TOPICS[name] <= topics_of_rviz(), PATIENCE_S, f"topics of {name}")
+        wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
+        # The panel is one of those who listen, where it is built.
+        if (BINARIES.parent / "libhexapod_panel.so").exists():
+            assert "/planner/walk_summary" in topics_of_rviz()
+        assert rviz.complaints() == []
+
+
+def test_a_nav_goal_drawn_with_the_mouse_ends_in_a_walk(session, screen, tmp_path):
+    assert session
+    goals, walks = [], []
+    _goals = rospy.Subscriber("move_base_simple/goal", PoseStamped, goals.append)
+    _walks = rospy.Subscriber("planner/walk_summary", WalkSummary, walks.append)
+    with Rviz(screen, ROOT / "rviz/walk.rviz", tmp_path):
+        wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
+        screen.do("mousemove", 560, 42, "click", 1)  # the tool 2D Nav Goal
+        screen.do("mousemove", 900, 400, "mousedown", 1, "mousemove", 905, 380,
+                  "mousemove", 915, 350, "mouseup", 1)
+        wait_for(lambda: goals, PATIENCE_S, "the goal")
+        wait_for(lambda: walks, PATIENCE_S, "the end of the walk")
+    assert walks[0].code == GoToResponse.SUCCEEDED, walks[0].message
+    assert walks[0].steps > 0
