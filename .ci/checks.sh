@@ -3,7 +3,7 @@
 # a build folder of its own below build/, and fails by a message and an exit code.
 # shellcheck disable=SC2154  # root and build are set by run
 
-all_checks=(format shell tidy address threads fuzz)
+all_checks=(format shell docs tidy address threads fuzz)
 
 # Seconds for each fuzzer, and for all of clang-tidy.
 fuzz_seconds=${FUZZ_SECONDS:-60}
@@ -24,6 +24,11 @@ check_format() {
 # No remark of shellcheck.
 check_shell() {
   shellcheck run .ci/run .ci/checks.sh
+}
+
+# The documents are a site without a broken link, and every command of the tutorial does what it says.
+check_docs() {
+  mkdocs build --quiet --strict && build all && /usr/bin/python3 doc/run_commands.py
 }
 
 # Prints the C++ sources that changed since main, or on main itself in the last commit, and those

@@ -10,20 +10,25 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
-// Short, and the measures early: on a terminal the rest of a line may be cut off.
 std::string describeEvolving(const LearningStatus& status) {
   std::string line = "Learning: " + std::to_string(status.counters.evaluations);
   // A run that only its time limits has a budget nobody reads.
   if (status.time_budget_s <= 0.0) line += " of " + std::to_string(status.evaluations_budget);
-  if (status.last.evaluations > 0) {
-    line += ", sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
-            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg";
-  }
-  return line + ", " + std::to_string(status.entries) + " entries, " + fixedText(status.eta_s, 0) +
-         " s left";
+  return line + ", " + describeBriefly(status);
 }
 
 }  // namespace
+
+std::string describeBriefly(const LearningStatus& status) {
+  if (status.phase != LearningPhase::kEvolving) return describe(status);
+  std::string text;
+  if (status.last.evaluations > 0) {
+    text = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
+           fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg, ";
+  }
+  return text + std::to_string(status.entries) + " entries, " + fixedText(status.eta_s, 0) +
+         " s left";
+}
 
 std::string describe(const LearningStatus& status) {
   const std::string checked =

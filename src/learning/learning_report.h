@@ -11,6 +11,10 @@ namespace hexapod {
 /// known." The same in every locale.
 std::string describe(const LearningStatus& status);
 
+/// The same without what a bar beside it shows: "sparseness 4.21 cm, error 2.31 deg, 120 entries, 4
+/// s left" while it evolves.
+std::string describeBriefly(const LearningStatus& status);
+
 /// Of the phase under way, 0 .. 1: the part of the budget that is used up, or of the entries that
 /// are checked.
 double fractionDone(const LearningStatus& status);

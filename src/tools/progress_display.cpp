@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kRedrawPeriod_s = 0.2;
 constexpr double kComplainPeriod_s = 10.0;
-constexpr std::size_t kBarWidth = 20;
+constexpr std::size_t kBarWidth = 8;
 constexpr const char* kClearLine = "\r\x1b[K";
 
 }  // namespace
@@ -59,7 +59,7 @@ std::string progressBar(const LearningStatus& status, std::size_t columns) {
   const std::string percent = std::to_string(static_cast<int>(std::floor(100.0 * done)));
   const std::string line = "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') +
                            "] " + std::string(3 - percent.size(), ' ') + percent + " %  " +
-                           describe(status);
+                           describeBriefly(status);
   return line.substr(0, columns);
 }
 

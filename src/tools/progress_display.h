@@ -40,7 +40,8 @@ class ProgressDisplay {
   double complained_s_ = -1e9;
 };
 
-/// "[######......]  50 %  10000 of 20000, 512/s, ..." in so many columns at most.
+/// "[####....]  50 %  sparseness 4.21 cm, error 2.31 deg, ..." in so many columns at most: 79 do
+/// for all of it.
 std::string progressBar(const LearningStatus& status, std::size_t columns);
 
 }  // namespace hexapod

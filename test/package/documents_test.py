@@ -1,6 +1,7 @@
 """The documents: their links lead somewhere, and the code in them is code that is tested."""
 import pathlib
 import re
+import sys
 import textwrap
 
 import pytest
@@ -17,6 +18,31 @@ def test_links_lead_to_files(document):
     links = LINK.findall(document.read_text(encoding="utf-8"))
     local = [link for link in links if not link.startswith(("http://", "https://"))]
     assert [link for link in local if not (document.parent / link).exists()] == []
+
+
+def test_the_picture_of_the_house_is_that_of_the_includes():
+    sys.path.insert(0, str(ROOT / "doc"))
+    import house  # pylint: disable=import-outside-toplevel
+    assert house.table() in (ROOT / "doc" / "house.md").read_text(encoding="utf-8")
+
+
+def test_every_page_is_in_the_site_and_every_verb_in_the_reference():
+    site = (ROOT / "mkdocs.yml").read_text(encoding="utf-8")
+    assert [page.name for page in (ROOT / "doc").glob("*.md") if f": {page.name}" not in site] == []
+    verbs = re.findall(r"^  (\w+) +[a-z]", (ROOT / "run").read_text(encoding="utf-8")
+                       .partition("examples")[0], re.MULTILINE)
+    reference = (ROOT / "doc" / "reference.md").read_text(encoding="utf-8")
+    assert len(verbs) > 15
+    assert [verb for verb in verbs if not re.search(rf"\b{verb}\b", reference)] == []
+
+
+def test_commands_of_the_tutorial_are_found_whole():
+    sys.path.insert(0, str(ROOT / "doc"))
+    import run_commands  # pylint: disable=import-outside-toplevel
+    text = (ROOT / "doc" / "tutorial.md").read_text(encoding="utf-8")
+    found = list(run_commands.commands(text))
+    assert (True, "./run walk repertoire_file:=tutorial.db rviz:=false") in found
+    assert [command for _, command in found if command.count('"') % 2] == []
 
 
 def test_the_code_of_the_other_task_is_the_code_that_is_tested():
