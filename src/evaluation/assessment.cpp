@@ -1,13 +1,9 @@
 #include "evaluation/assessment.h"
 
-#include <algorithm>
-#include <cmath>
-#include <deque>
 #include <optional>
 
-#include "common/random.h"
 #include "common/text.h"
-#include "evaluation/robust_worlds.h"
+#include "evaluation/chains.h"
 #include "geometry/arc.h"
 #include "robot/dimensions.h"
 #include "simulation/rollout.h"
@@ -15,17 +11,8 @@
 namespace hexapod {
 namespace {
 
-/// The value that `share` of all do not exceed; 0 without values.
-double quantile(std::vector<double> values, double share) {
-  if (values.empty()) return 0.0;
-  const auto last = static_cast<double>(values.size() - 1);
-  const auto at = values.begin() + static_cast<std::ptrdiff_t>(std::lround(share * last));
-  std::nth_element(values.begin(), at, values.end());
-  return *at;
-}
-
 TrialResult resultOf(const std::string& name, const RegionOfInterest& region,
-                     const std::vector<Entry>& entries, const std::vector<BatchResult>& results) {
+                     const std::vector<Entry>& entries, const BatchResult* results) {
   TrialResult trial;
   trial.name = name;
   std::vector<Ending> endings;
@@ -68,19 +55,21 @@ std::vector<Trial> heldOutTrials(const RobotDescription& robot, const Physics& n
 std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
                                     const BehaviorOptions& behavior,
                                     const std::vector<Entry>& entries,
-                                    const std::vector<Trial>& trials,
-                                    const std::atomic<bool>* cancelled) {
+                                    const std::vector<Trial>& trials, const PlayHooks& hooks) {
   std::vector<Physics> physics;
   for (const Trial& trial : trials) physics.push_back(trial.physics);
-  RobustWorlds worlds(pool, physics, behavior.command_period_s);
-  std::deque<Behavior> behaviors;
-  for (const Entry& entry : entries) behaviors.emplace_back(pool->robot(), entry.genome, behavior);
-  std::vector<TrialResult> results;
-  const RegionOfInterest region = RegionOfInterest().scaledBy(lengthScale(pool->robot()));
+  std::vector<Genome> genomes;
+  for (const Entry& entry : entries) genomes.push_back(entry.genome);
+  std::vector<RobustWorlds::Run> runs;
   for (std::size_t p = 0; p < trials.size(); ++p) {
-    std::vector<RobustWorlds::Run> runs;
-    for (const Behavior& one : behaviors) runs.push_back({p, &one, nullptr});
-    results.push_back(resultOf(trials[p].name, region, entries, worlds.play(runs, cancelled)));
+    for (std::size_t i = 0; i < entries.size(); ++i) runs.push_back({i, p, nullptr});
+  }
+  const auto played = RobustWorlds(pool, physics, behavior).play(genomes, runs, hooks);
+  const RegionOfInterest region = RegionOfInterest().scaledBy(lengthScale(pool->robot()));
+  std::vector<TrialResult> results;
+  for (std::size_t p = 0; p < trials.size(); ++p) {
+    const BatchResult* first = played.data() + p * entries.size();
+    results.push_back(resultOf(trials[p].name, region, entries, first));
   }
   return results;
 }
@@ -107,34 +96,6 @@ std::map<std::string, std::string> factsOf(const std::vector<TrialResult>& resul
     facts[prefix + "failed"] = std::to_string(result.failed);
   }
   return facts;
-}
-
-ChainResult chainAtRandom(const WorldPool& pool, const BehaviorOptions& behavior,
-                          const std::vector<Entry>& entries, std::int64_t behaviors,
-                          std::uint64_t seed) {
-  const std::unique_ptr<World> world = makeWorld(pool.engine(), pool.robot(), pool.physics());
-  world->restart();
-  Random random(seed);
-  ChainResult result;
-  std::vector<double> distances_m;
-  std::vector<double> angles_rad;
-  for (; result.behaviors < behaviors; ++result.behaviors) {
-    const Entry& entry = entries[random.below(entries.size())];
-    const Behavior next(pool.robot(), entry.genome, behavior);
-    const Outcome outcome = play(*world, next, behavior.command_period_s);
-    if (!outcome.walked()) {
-      ++result.failed;
-      world->restart();
-      continue;
-    }
-    distances_m.push_back(distance(outcome.end_pose, entry.expectedPose()));
-    angles_rad.push_back(headingDistance(outcome.end_pose, entry.expectedPose()));
-  }
-  result.median_m = quantile(distances_m, 0.5);
-  result.p90_m = quantile(distances_m, 0.9);
-  result.median_rad = quantile(angles_rad, 0.5);
-  result.p90_rad = quantile(angles_rad, 0.9);
-  return result;
 }
 
 }  // namespace hexapod

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <atomic>
 #include <cstdint>
 #include <map>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "gait/behavior_options.h"
+#include "evaluation/robust_worlds.h"
 #include "repertoire/entry.h"
 #include "repertoire/metrics.h"
 #include "repertoire/repertoire.h"
@@ -36,12 +35,11 @@ struct TrialResult {
 };
 
 /// Plays every entry once from the stand in each trial. The pool gives engine and threads. Throws
-/// EvaluationCancelled soon after `cancelled`, if given, turns true.
+/// EvaluationCancelled as RobustWorlds does.
 std::vector<TrialResult> resimulate(const std::shared_ptr<WorldPool>& pool,
                                     const BehaviorOptions& behavior,
                                     const std::vector<Entry>& entries,
-                                    const std::vector<Trial>& trials,
-                                    const std::atomic<bool>* cancelled = nullptr);
+                                    const std::vector<Trial>& trials, const PlayHooks& hooks = {});
 
 /// Medians over the trials but the first, which is the nominal one.
 HeldOut heldOutMedians(const std::vector<TrialResult>& results);
@@ -49,21 +47,5 @@ HeldOut heldOutMedians(const std::vector<TrialResult>& results);
 /// The results as texts by name, in the form in which a repertoire keeps them among its facts:
 /// "resimulated.5 ms step.sparseness_m" and so on.
 std::map<std::string, std::string> factsOf(const std::vector<TrialResult>& results);
-
-/// How entries do one after another.
-struct ChainResult {
-  std::int64_t behaviors = 0;
-  std::int64_t failed = 0;  ///< after a failure the chain goes on from the stand
-  double median_m = 0.0;    ///< between end poses and expected poses, of those that walked
-  double p90_m = 0.0;
-  double median_rad = 0.0;
-  double p90_rad = 0.0;
-};
-
-/// Plays `behaviors` random entries one after another in one simulation of nominal physics.
-/// `entries` must not be empty.
-ChainResult chainAtRandom(const WorldPool& pool, const BehaviorOptions& behavior,
-                          const std::vector<Entry>& entries, std::int64_t behaviors,
-                          std::uint64_t seed);
 
 }  // namespace hexapod

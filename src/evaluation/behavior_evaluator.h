@@ -5,8 +5,8 @@
 #include <memory>
 #include <vector>
 
+#include "evaluation/robust_worlds.h"
 #include "evolution/evaluator.h"
-#include "gait/behavior.h"
 #include "simulation/world_pool.h"
 
 namespace hexapod {
@@ -24,13 +24,12 @@ struct SimulationCounts {
 /// Evaluates genomes by playing each one's behaviour once, from the settled stand.
 ///
 /// Simulates the canonical() form of every genome, so that equal gaits have equal outcomes. An
-/// outcome depends on its genome alone, whatever the number of threads. With the reduced engine
-/// several behaviours are played at once in each thread (playEach()).
+/// outcome depends on its genome alone, whatever the number of threads.
 class BehaviorEvaluator : public Evaluator {
  public:
   /// Throws std::invalid_argument when the options do not fit the robot. `cancelled`, if given,
   /// must outlive the evaluator.
-  BehaviorEvaluator(std::shared_ptr<WorldPool> worlds, const BehaviorOptions& options,
+  BehaviorEvaluator(const std::shared_ptr<WorldPool>& worlds, const BehaviorOptions& options,
                     const std::atomic<bool>* cancelled = nullptr);
 
   /// Throws std::runtime_error naming the genome when one cannot be simulated at all, and
@@ -40,11 +39,11 @@ class BehaviorEvaluator : public Evaluator {
   /// Since construction.
   const SimulationCounts& counts() const { return counts_; }
 
- private:
-  Behavior behaviorOf(const Genome& genome) const;
+  /// How full the registers were so far.
+  LaneUse use() const { return worlds_.use(); }
 
-  std::shared_ptr<WorldPool> worlds_;
-  BehaviorOptions options_;
+ private:
+  RobustWorlds worlds_;
   const std::atomic<bool>* cancelled_;
   SimulationCounts counts_;
 };

@@ -55,7 +55,7 @@ CachedEvaluator::Representative CachedEvaluator::representative(const Genome& ge
 template <typename Ask>
 std::vector<Outcome> CachedEvaluator::answer(const std::vector<Representative>& questions,
                                              Memory& memory, const Ask& ask) {
-  std::map<Genome, Outcome> answers;
+  std::unordered_map<Genome, Outcome, GenomeHash> answers;
   std::vector<std::size_t> open;
   for (std::size_t i = 0; i < questions.size(); ++i) {
     const auto [answer, is_new] = answers.try_emplace(questions[i].genome);

@@ -3,10 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <map>
+#include <unordered_map>
 #include <vector>
 
 #include "evolution/evaluator.h"
+#include "gait/genome_hash.h"
 #include "gait/symmetry.h"
 
 namespace hexapod {
@@ -52,7 +53,7 @@ class CachedEvaluator : public Evaluator {
 
    private:
     std::size_t capacity_;
-    std::map<Genome, Outcome> outcomes_;
+    std::unordered_map<Genome, Outcome, GenomeHash> outcomes_;
     std::deque<Genome> by_age_;
   };
 

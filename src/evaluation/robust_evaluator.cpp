@@ -37,13 +37,11 @@ RobustEvaluator::RobustEvaluator(Evaluator& nominal, const std::shared_ptr<World
                                  const BehaviorOptions& behavior, const RobustnessOptions& options,
                                  std::uint64_t seed, const std::atomic<bool>* cancelled)
     : nominal_(&nominal),
-      robot_(pool->robot()),
-      behavior_(behavior),
       options_(options),
       seed_(seed),
-      cancelled_(cancelled),
+      hooks_{nullptr, cancelled},
       worlds_(pool, allPhysics(options, pool->physics(), behavior.command_period_s, seed),
-              behavior.command_period_s) {}
+              behavior) {}
 
 std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genomes) {
   std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
@@ -64,18 +62,15 @@ std::vector<Outcome> RobustEvaluator::lookAgain(int look, const std::vector<Geno
                                                 const std::vector<Outcome>& previous) {
   if (!options_.isOn()) return previous;
   prepareStartStates();
-  std::vector<Behavior> behaviors;
-  behaviors.reserve(genomes.size());
-  for (const Genome& genome : genomes) behaviors.emplace_back(robot_, canonical(genome), behavior_);
   std::vector<std::vector<Outcome>> seen;
   std::vector<RobustWorlds::Run> runs;
   for (std::size_t i = 0; i < genomes.size(); ++i) {
     seen.push_back(seenBefore(look, genomes[i], previous[i]));
     for (std::size_t number = seen[i].size() - 1; number < runsUntil(look); ++number) {
-      runs.push_back(run(number, behaviors[i]));
+      runs.push_back(run(number, i));
     }
   }
-  const std::vector<BatchResult> results = worlds_.play(runs, cancelled_);
+  const std::vector<BatchResult> results = worlds_.play(genomes, runs, hooks_);
   simulations_ += static_cast<std::int64_t>(runs.size());
   if (look < looks()) screened_.clear();
   std::vector<Outcome> outcomes;
@@ -100,14 +95,14 @@ std::vector<Outcome> RobustEvaluator::seenBefore(int look, const Genome& genome,
   return known != screened_.end() ? known->second : nominal_->evaluate({genome});
 }
 
-RobustWorlds::Run RobustEvaluator::run(std::size_t number, const Behavior& behavior) const {
+RobustWorlds::Run RobustEvaluator::run(std::size_t number, std::size_t genome) const {
   const std::size_t physics = worlds_.physics().size() - 1;
   const std::size_t pairs = std::min(physics, start_states_.size());
   const bool is_paired = number < 2 * pairs;
   const std::size_t index = is_paired ? number / 2 : number - pairs;
   const bool is_physics = is_paired ? number % 2 == 0 : physics > pairs;
-  if (is_physics) return {index + 1, &behavior, nullptr};
-  return {0, &behavior, &start_states_[index]};
+  if (is_physics) return {genome, index + 1, nullptr};
+  return {genome, 0, &start_states_[index]};
 }
 
 Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {
@@ -125,8 +120,8 @@ Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {
 
 // A robot that is about to fall over would make every candidate fail.
 bool RobustEvaluator::goesOnStanding(const WorldState& state) {
-  const Behavior standing(robot_, Genome(robot_.geneCount(), 0), behavior_);
-  return worlds_.play({{0, &standing, &state}}, cancelled_)[0].outcome.walked();
+  const Genome standing(worlds_.robot().geneCount(), 0);
+  return worlds_.play({standing}, {{0, 0, &state}}, hooks_)[0].outcome.walked();
 }
 
 void RobustEvaluator::prepareStartStates() {
@@ -136,14 +131,14 @@ void RobustEvaluator::prepareStartStates() {
     for (int draw = 0; static_cast<int>(chain.size()) <= kPredecessors; ++draw) {
       if (draw == kMaxDraws) {
         throw std::runtime_error("Of " + std::to_string(kMaxDraws) +
-                                 " random behaviours of robot " + robot_.name +
+                                 " random behaviours of robot " + worlds_.robot().name +
                                  " none walks and stands still afterwards; give it a lower stand "
                                  "or smaller amplitudes (import_robot tries them), or set "
                                  "perturbed_start_states to 0.");
       }
-      const Behavior behavior(robot_, randomGenome(robot_.geneCount(), random), behavior_);
+      const Genome genome = randomGenome(worlds_.robot().geneCount(), random);
       const WorldState* start = chain.size() == 1 ? nullptr : &chain.back();
-      BatchResult result = worlds_.play({{0, &behavior, start}}, cancelled_)[0];
+      BatchResult result = worlds_.play({genome}, {{0, 0, start}}, hooks_)[0];
       if (result.outcome.walked() && goesOnStanding(result.end)) {
         chain.push_back(std::move(result.end));
       }

@@ -39,20 +39,21 @@ class RobustEvaluator : public Evaluator {
   /// Runs added to those of the first looks so far.
   std::int64_t simulations() const { return simulations_; }
 
+  /// How full the registers of these runs were.
+  LaneUse use() const { return worlds_.use(); }
+
  private:
   std::size_t runsUntil(int look) const;
   std::vector<Outcome> seenBefore(int look, const Genome& genome, const Outcome& previous) const;
-  RobustWorlds::Run run(std::size_t number, const Behavior& behavior) const;
+  RobustWorlds::Run run(std::size_t number, std::size_t genome) const;
   Outcome whole(const std::vector<Outcome>& outcomes) const;
   bool goesOnStanding(const WorldState& state);
   void prepareStartStates();
 
   Evaluator* nominal_;
-  RobotDescription robot_;
-  BehaviorOptions behavior_;
   RobustnessOptions options_;
   std::uint64_t seed_;
-  const std::atomic<bool>* cancelled_;
+  PlayHooks hooks_;
   RobustWorlds worlds_;  // physics 0 is the nominal one
   std::vector<WorldState> start_states_;
   // What all runs of the last second look gave, the nominal one first. Sparing, not necessary: a

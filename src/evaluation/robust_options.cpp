@@ -1,9 +1,8 @@
 #include "evaluation/robust_options.h"
 
 #include <numeric>
-#include <utility>
 
-#include "common/random.h"
+#include "common/stratified.h"
 #include "simulation/rollout.h"
 
 namespace hexapod {
@@ -11,17 +10,6 @@ namespace {
 
 // Other generators get the seed as it is.
 constexpr std::uint64_t kPurpose = 0x726f62757374;
-
-/// One value in each of `count` equal parts of low .. high, in random order.
-std::vector<double> stratified(std::size_t count, double low, double high, Random& random) {
-  std::vector<double> values(count);
-  const double part = (high - low) / static_cast<double>(count);
-  for (std::size_t i = 0; i < count; ++i) {
-    values[i] = low + part * (static_cast<double>(i) + random.uniform());
-  }
-  for (std::size_t i = count; i > 1; --i) std::swap(values[i - 1], values[random.below(i)]);
-  return values;
-}
 
 }  // namespace
 

@@ -1,14 +1,12 @@
 #include "evaluation/validation.h"
 
 #include <cmath>
-#include <mutex>
 #include <numeric>
 #include <stdexcept>
 #include <string>
 #include <utility>
 
 #include "common/random.h"
-#include "simulation/reduced/batch_rollout.h"
 #include "simulation/rollout.h"
 
 namespace hexapod {
@@ -37,31 +35,32 @@ void check(const ValidationOptions& options) {
 
 class Validation {
  public:
-  Validation(WorldPool& worlds, const BehaviorOptions& behavior, const std::vector<Genome>& genomes,
-             const ValidationOptions& options)
+  Validation(const std::shared_ptr<WorldPool>& worlds, const BehaviorOptions& behavior,
+             const std::vector<Genome>& genomes, const ValidationOptions& options)
       : worlds_(worlds), behavior_(behavior), genomes_(genomes), options_(options) {}
 
-  std::vector<Execution> run(const ValidationHooks& hooks) {
-    std::vector<Execution> executions(genomes_.size());
-    if (genomes_.empty()) return executions;
-    start_states_.resize(options_.start_states);
-    worlds_.forEach(start_states_.size(), [&](World& world, std::size_t s) {
-      if (!isCancelled(hooks)) start_states_[s] = afterPredecessors(world, s);
+  std::vector<Execution> run(const PlayHooks& hooks) {
+    std::vector<WorldState> start_states(options_.start_states);
+    worlds_->forEach(start_states.size(), [&](World& world, std::size_t s) {
+      if (!isCancelled(hooks)) start_states[s] = afterPredecessors(world, s);
     });
-    std::mutex mutex;
-    std::size_t done = 0;
-    worlds_.forEach(genomes_.size(), [&](World& world, std::size_t i) {
-      if (isCancelled(hooks)) return;
-      executions[i] = execute(world, i);
-      const std::lock_guard<std::mutex> lock(mutex);
-      ++done;
-      if (hooks.progress) hooks.progress(done, genomes_.size());
-    });
+    std::vector<RobustWorlds::Run> runs;
+    for (std::size_t i = 0; i < genomes_.size(); ++i) {
+      for (const std::size_t s : chooseStartStates(i)) runs.push_back({i, 0, &start_states[s]});
+    }
+    const std::vector<BatchResult> results =
+        RobustWorlds(worlds_, {worlds_->physics()}, behavior_).play(genomes_, runs, hooks);
+    std::vector<Execution> executions;
+    for (auto result = results.begin(); result != results.end();) {
+      std::vector<Outcome> outcomes;
+      for (int k = 0; k < options_.trials; ++k) outcomes.push_back((result++)->outcome);
+      executions.push_back(summarize(outcomes));
+    }
     return executions;
   }
 
  private:
-  static bool isCancelled(const ValidationHooks& hooks) {
+  static bool isCancelled(const PlayHooks& hooks) {
     return hooks.cancelled != nullptr && hooks.cancelled->load();
   }
 
@@ -95,19 +94,10 @@ class Validation {
     return play(world, behavior, behavior_.command_period_s);
   }
 
-  Execution execute(World& world, std::size_t i) const {
-    const Behavior behavior(world.robot(), canonical(genomes_[i]), behavior_);
-    std::vector<BatchRun> runs;
-    for (const std::size_t s : chooseStartStates(i)) {
-      runs.push_back({&behavior, &start_states_[s]});
-    }
-    return summarize(playEach(world, runs, behavior_.command_period_s));
-  }
-
   // The first `trials` of a random permutation.
   std::vector<std::size_t> chooseStartStates(std::size_t i) const {
     Random random = generator(options_.seed, Purpose::kEntry, i);
-    std::vector<std::size_t> states(start_states_.size());
+    std::vector<std::size_t> states(options_.start_states);
     std::iota(states.begin(), states.end(), std::size_t{0});
     const std::size_t trials = static_cast<std::size_t>(options_.trials);
     for (std::size_t k = 0; k < trials; ++k) {
@@ -117,19 +107,19 @@ class Validation {
     return states;
   }
 
-  WorldPool& worlds_;
+  const std::shared_ptr<WorldPool>& worlds_;
   const BehaviorOptions& behavior_;
   const std::vector<Genome>& genomes_;
   const ValidationOptions& options_;
-  std::vector<WorldState> start_states_;
 };
 
 }  // namespace
 
-std::vector<Execution> validate(WorldPool& worlds, const BehaviorOptions& behavior,
-                                const std::vector<Genome>& genomes,
-                                const ValidationOptions& options, const ValidationHooks& hooks) {
+std::vector<Execution> validate(const std::shared_ptr<WorldPool>& worlds,
+                                const BehaviorOptions& behavior, const std::vector<Genome>& genomes,
+                                const ValidationOptions& options, const PlayHooks& hooks) {
   check(options);
+  if (genomes.empty()) return {};
   return Validation(worlds, behavior, genomes, options).run(hooks);
 }
 

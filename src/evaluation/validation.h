@@ -1,12 +1,10 @@
 #pragma once
 
-#include <atomic>
-#include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <memory>
 #include <vector>
 
-#include "gait/behavior.h"
+#include "evaluation/robust_worlds.h"
 #include "gait/genome.h"
 #include "gait/outcome.h"
 #include "repertoire/entry.h"
@@ -21,14 +19,6 @@ struct ValidationOptions {
   std::uint64_t seed = 1;
 };
 
-/// What a caller may watch and stop a validation with; both may be left empty.
-struct ValidationHooks {
-  /// Called with the genomes done and their total, by any of the pool's threads, one at a time.
-  std::function<void(std::size_t, std::size_t)> progress;
-  /// Genomes not begun when it turns true are left out.
-  const std::atomic<bool>* cancelled = nullptr;
-};
-
 /// Executes every genome after random predecessors and tells what a planner must expect of it.
 ///
 /// Chains of two or three behaviours drawn from the list itself, each from the settled stand, give
@@ -38,12 +28,11 @@ struct ValidationHooks {
 /// options and genomes, same result, whatever the number of threads. Genomes are simulated in their
 /// canonical() form.
 ///
-/// Returns one Execution per genome, in order; one that was cancelled has trials = 0.
-/// Throws std::invalid_argument when an option is out of range.
-std::vector<Execution> validate(WorldPool& worlds, const BehaviorOptions& behavior,
-                                const std::vector<Genome>& genomes,
-                                const ValidationOptions& options,
-                                const ValidationHooks& hooks = {});
+/// Returns one Execution per genome, in order; the hooks are told of executions. Throws
+/// std::invalid_argument when an option is out of range, EvaluationCancelled as RobustWorlds does.
+std::vector<Execution> validate(const std::shared_ptr<WorldPool>& worlds,
+                                const BehaviorOptions& behavior, const std::vector<Genome>& genomes,
+                                const ValidationOptions& options, const PlayHooks& hooks = {});
 
 /// Mean and spread over the outcomes that walked, falls over the others. A mean of headings is that
 /// of their unit vectors. Without any that walked, mean and spread are 0.

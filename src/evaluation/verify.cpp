@@ -1,10 +1,8 @@
 #include "evaluation/verify.h"
 
 #include <algorithm>
-#include <mutex>
 
-#include "gait/behavior.h"
-#include "simulation/rollout.h"
+#include "simulation/standing_state.h"
 
 namespace hexapod {
 
@@ -14,31 +12,26 @@ bool agree(const End& a, const End& b) {
                                            headingDistance(a.pose, b.pose) <= kVerifiedWithin_rad);
 }
 
-std::vector<End> playFromTheStand(WorldPool& worlds, const BehaviorOptions& behavior,
-                                  const std::vector<Genome>& genomes,
-                                  const VerificationHooks& hooks) {
-  std::vector<End> ends(genomes.size());
-  std::mutex mutex;
-  std::size_t done = 0;
-  worlds.forEach(genomes.size(), [&](World& world, std::size_t i) {
-    if (hooks.cancelled != nullptr && *hooks.cancelled) return;
-    world.restart();
-    const Behavior played(world.robot(), canonical(genomes[i]), behavior);
-    ends[i].verdict = play(world, played, behavior.command_period_s).verdict;
-    ends[i].pose = footprint(world.worldFromBase());
-    const std::lock_guard<std::mutex> lock(mutex);
-    ++done;
-    if (hooks.progress) hooks.progress(done, genomes.size());
-  });
+std::vector<End> playFromTheStand(const std::shared_ptr<WorldPool>& worlds,
+                                  const BehaviorOptions& behavior,
+                                  const std::vector<Genome>& genomes, const PlayHooks& hooks) {
+  std::vector<RobustWorlds::Run> runs(genomes.size());
+  for (std::size_t i = 0; i < runs.size(); ++i) runs[i].genome = i;
+  std::vector<End> ends;
+  const RobotDescription& robot = worlds->robot();
+  for (const BatchResult& result :
+       RobustWorlds(worlds, {worlds->physics()}, behavior).play(genomes, runs, hooks)) {
+    ends.push_back({result.outcome.verdict, footprint(baseOf(robot, result.end))});
+  }
   return ends;
 }
 
-Verification verifyInOde(WorldPool& worlds, const BehaviorOptions& behavior,
-                         const std::vector<Genome>& genomes, const VerificationHooks& hooks) {
-  VerificationHooks silent;
-  silent.cancelled = hooks.cancelled;
-  const std::vector<End> found = playFromTheStand(worlds, behavior, genomes, silent);
-  WorldPool ode(Engine::kOde, worlds.robot(), worlds.physics(), worlds.threads());
+Verification verifyInOde(const std::shared_ptr<WorldPool>& worlds, const BehaviorOptions& behavior,
+                         const std::vector<Genome>& genomes, const PlayHooks& hooks) {
+  const std::vector<End> found =
+      playFromTheStand(worlds, behavior, genomes, {nullptr, hooks.cancelled});
+  const auto ode = std::make_shared<WorldPool>(Engine::kOde, worlds->robot(), worlds->physics(),
+                                               worlds->threads());
   const std::vector<End> expected = playFromTheStand(ode, behavior, genomes, hooks);
   Verification verification;
   for (std::size_t i = 0; i < genomes.size(); ++i) {

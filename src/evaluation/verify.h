@@ -1,11 +1,9 @@
 #pragma once
 
-#include <atomic>
-#include <cstddef>
-#include <functional>
+#include <memory>
 #include <vector>
 
-#include "gait/behavior_options.h"
+#include "evaluation/robust_worlds.h"
 #include "gait/genome.h"
 #include "gait/outcome.h"
 #include "geometry/pose2.h"
@@ -31,19 +29,11 @@ struct End {
 /// kVerifiedWithin_rad.
 bool agree(const End& a, const End& b);
 
-/// What a caller may watch and stop a verification with; both may be left empty.
-struct VerificationHooks {
-  /// Called with the genomes done and their total, by any of the pool's threads, one at a time.
-  std::function<void(std::size_t, std::size_t)> progress;
-  /// Genomes not begun when it turns true are left out.
-  const std::atomic<bool>* cancelled = nullptr;
-};
-
-/// Plays every genome in its canonical() form, from the settled stand of the pool's worlds. Same
-/// result whatever the number of threads. Genomes that were cancelled are kDiverged.
-std::vector<End> playFromTheStand(WorldPool& worlds, const BehaviorOptions& behavior,
-                                  const std::vector<Genome>& genomes,
-                                  const VerificationHooks& hooks = {});
+/// Plays every genome from the settled stand of the pool's worlds. Same result whatever the number
+/// of threads. Throws as RobustWorlds does.
+std::vector<End> playFromTheStand(const std::shared_ptr<WorldPool>& worlds,
+                                  const BehaviorOptions& behavior,
+                                  const std::vector<Genome>& genomes, const PlayHooks& hooks = {});
 
 /// What ODE says to genomes that another engine has simulated.
 struct Verification {
@@ -54,8 +44,8 @@ struct Verification {
 };
 
 /// Plays every genome in the pool's engine and in ODE, under the pool's physics and with as many
-/// threads. A genome holds when both engines agree(). Of no meaning when it was cancelled.
-Verification verifyInOde(WorldPool& worlds, const BehaviorOptions& behavior,
-                         const std::vector<Genome>& genomes, const VerificationHooks& hooks = {});
+/// threads. A genome holds when both engines agree(). The hooks are told of ODE's runs.
+Verification verifyInOde(const std::shared_ptr<WorldPool>& worlds, const BehaviorOptions& behavior,
+                         const std::vector<Genome>& genomes, const PlayHooks& hooks = {});
 
 }  // namespace hexapod

@@ -6,15 +6,9 @@
 #include "evolution/selection.h"
 
 namespace hexapod {
-namespace {
-
-// Fewer entries per candidate than this: the archive has filled, as far as its threshold lets it.
-constexpr double kEnoughAdded = 0.02;
-
-}  // namespace
 
 BrEvolution::BrEvolution(const EvolutionOptions& options, const Task& task, const Random& random)
-    : Generational(options.population_size, task, options.offer_twins, random),
+    : Generational(options.candidatesPerGeneration(), task, options.offer_twins, random),
       options_(options),
       novelty_threshold_m_(options.novelty_threshold_m) {
   requireValid(options);
@@ -24,14 +18,8 @@ BrEvolution::BrEvolution(const EvolutionOptions& options, const Task& task,
                          const EvolutionState& state)
     : BrEvolution(options, task, state.random) {
   goOn(state);
-  novelty_threshold_m_ = state.novelty_threshold_m;
+  novelty_threshold_m_ = noveltyThresholdAfter(counters_.evaluations, options_);
   archive_ = Archive(state.archive);
-}
-
-EvolutionState BrEvolution::state() const {
-  EvolutionState state = Generational::state();
-  state.novelty_threshold_m = novelty_threshold_m_;
-  return state;
 }
 
 std::vector<Genome> BrEvolution::breed(std::size_t count, Random& random) const {
@@ -51,10 +39,9 @@ std::vector<std::size_t> BrEvolution::promising(const std::vector<Individual>& p
   return promising;
 }
 
-void BrEvolution::finish(Pool pool, std::size_t candidates) {
-  const std::int64_t added_before = counters_.added;
+void BrEvolution::finish(Pool pool) {
   const std::vector<Objectives> objectives = offerToArchive(pool);
-  refineNovelty(counters_.added - added_before, candidates);
+  novelty_threshold_m_ = noveltyThresholdAfter(counters_.evaluations, options_);
   population_ = survivors(pool.individuals, objectives,
                           static_cast<std::size_t>(options_.population_size), options_.diversity);
 }
@@ -66,10 +53,10 @@ bool BrEvolution::isPromising(const Individual& individual,
   images.push_back(individual);
   return std::any_of(images.begin(), images.end(), [&](const Individual& image) {
     if (archive_.contains(image.genome)) return false;
-    if (neighbourhood.objectives(image)[0] > novelty_threshold_m_) return true;
     const Pose2& end = image.outcome.end_pose;
     const auto nearest = archive_.nearest(end.x_m, end.y_m, 1);
-    return !nearest.empty() && image.outcome.cost < archive_.entries()[nearest[0].slot].cost;
+    return (!nearest.empty() && image.outcome.cost < archive_.entries()[nearest[0].slot].cost) ||
+           neighbourhood.isNovel(image, novelty_threshold_m_);
   });
 }
 
@@ -104,14 +91,6 @@ OfferResult BrEvolution::offer(const Individual& individual, double novelty_m) {
   if (result.status == AddStatus::kAdded) ++counters_.added;
   if (result.status == AddStatus::kSwapped) ++counters_.swapped;
   return result;
-}
-
-void BrEvolution::refineNovelty(std::int64_t added, std::size_t candidates) {
-  const double enough = kEnoughAdded * static_cast<double>(candidates);
-  const double least_m = options_.novelty_threshold_min_m;
-  if (novelty_threshold_m_ <= least_m || static_cast<double>(added) >= enough) return;
-  novelty_threshold_m_ =
-      std::max(least_m, novelty_threshold_m_ * (1.0 - options_.novelty_refinement));
 }
 
 }  // namespace hexapod

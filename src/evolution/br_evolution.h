@@ -42,7 +42,8 @@ namespace hexapod {
 ///   A twin's entry has an id of its own and the evaluation number of its candidate.
 /// - archive_parents: some parents are drawn from the archive, uniformly, or with
 ///   archive_tournament the best aligned of the entries around such a one.
-/// - novelty_refinement: the novelty threshold goes down when the archive has filled.
+/// - novelty_decay: the novelty threshold goes down as candidates are evaluated.
+/// - candidates: a generation has more of them, or fewer, than the population individuals.
 /// And in a task with further looks only individuals whose outcome is final are offered to the
 /// archive. Of parents and candidates those are looked at again, and yet again, that the archive of
 /// that moment would take by the outcome they have, themselves or a twin of theirs; who turns out
@@ -59,19 +60,17 @@ class BrEvolution : public Generational {
 
   const std::vector<Entry>& entries() const override { return archive_.entries(); }
   const Archive& archive() const { return archive_; }
-  /// rho, as refined so far [m].
+  /// rho of the next generation [m].
   double noveltyThreshold() const { return novelty_threshold_m_; }
-  EvolutionState state() const override;
 
  private:
   std::vector<Genome> breed(std::size_t count, Random& random) const override;
   std::vector<std::size_t> promising(const std::vector<Individual>& pool, int looks) const override;
-  void finish(Pool pool, std::size_t candidates) override;
+  void finish(Pool pool) override;
 
   bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
   std::vector<Objectives> offerToArchive(Pool& pool);
   OfferResult offer(const Individual& individual, double novelty_m);
-  void refineNovelty(std::int64_t added, std::size_t candidates);
 
   EvolutionOptions options_;
   double novelty_threshold_m_;

@@ -1,6 +1,7 @@
 #include "evolution/evolution_options.h"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace hexapod {
@@ -24,8 +25,12 @@ bool withinRange(const Option& option) {
 
 std::vector<Option> declareOptions(EvolutionOptions& options) {
   return {
-      option("population_size", options.population_size,
-             "Individuals in the population, and candidates evaluated per generation.", 1, 100000),
+      option("population_size", options.population_size, "Individuals in the population.", 1,
+             100000),
+      option("candidates", options.candidates,
+             "Candidates of a generation: many keep many threads and their registers busy. 0: as "
+             "many as population_size.",
+             0, 1000000),
       option("neighbours", options.neighbours,
              "Nearest individuals that novelty and local competition look at.", 1, 10000),
       option("novelty_threshold_m", options.novelty_threshold_m, "m",
@@ -50,13 +55,25 @@ std::vector<Option> declareOptions(EvolutionOptions& options) {
              "A parent drawn from the archive gives way to the entry of the least orientation "
              "error among so many that are nearest to it, itself included; 1: it never does.",
              1, 10000),
-      option("novelty_refinement", options.novelty_refinement, "",
-             "Part of the novelty threshold that is taken off after every generation that added "
-             "fewer entries than 2 % of its candidates; 0: the threshold stays.",
-             0.0, 0.5),
+      option("novelty_decay", options.novelty_decay, "",
+             "The novelty threshold goes down in proportion to this power of the candidates "
+             "evaluated, so that a repertoire is about as dense as it can well be whenever its "
+             "budget ends; 0: it stays.",
+             0.0, 2.0),
+      option("novelty_decay_from", options.novelty_decay_from,
+             "It does not go down before so many candidates.", 1, 1000000000),
       option("novelty_threshold_min_m", options.novelty_threshold_min_m, "m",
-             "Refinement takes the novelty threshold no further down than this.", 0.0, 10.0),
+             "It goes no further down than this.", 0.0, 10.0),
   };
+}
+
+double noveltyThresholdAfter(std::int64_t evaluations, const EvolutionOptions& options) {
+  const double start_m = options.novelty_threshold_m;
+  if (options.novelty_decay <= 0.0 || evaluations <= options.novelty_decay_from) return start_m;
+  const double times =
+      static_cast<double>(evaluations) / static_cast<double>(options.novelty_decay_from);
+  const double decayed_m = start_m * std::pow(times, -options.novelty_decay);
+  return std::min(start_m, std::max(options.novelty_threshold_min_m, decayed_m));
 }
 
 void requireValid(const EvolutionOptions& options) {

@@ -11,7 +11,8 @@ namespace hexapod {
 /// Parameters of BR-Evolution; the defaults are the paper's (Cully & Mouret 2013, appendix A), the
 /// options it does not know are off.
 struct EvolutionOptions {
-  std::int64_t population_size = 100;   ///< parents, and children of one generation, >= 1
+  std::int64_t population_size = 100;   ///< individuals that are kept as parents, >= 1
+  std::int64_t candidates = 0;          ///< of one generation; 0: as many as population_size
   std::int64_t neighbours = 15;         ///< |neigh(i)| of eq. 1, >= 1
   double novelty_threshold_m = 0.10;    ///< rho in the paper [m]; more novel ends enter the archive
   double mutation_rate = 0.10;          ///< probability that a gene is drawn anew, 0 .. 1
@@ -22,11 +23,19 @@ struct EvolutionOptions {
   /// Entries around an archive parent, itself included, of which the best aligned takes its place,
   /// >= 1; 1: the parent as drawn.
   std::int64_t archive_tournament = 1;
-  /// Part of the novelty threshold that is taken off after a generation in which few were added,
-  /// 0 .. 0.5; 0: it stays.
-  double novelty_refinement = 0.0;
-  double novelty_threshold_min_m = 0.05;  ///< refinement ends here [m]
+  /// The novelty threshold goes down with the power -novelty_decay of the candidates evaluated,
+  /// from novelty_decay_from on and as far as novelty_threshold_min_m; 0: it stays.
+  double novelty_decay = 0.0;
+  std::int64_t novelty_decay_from = 1000;
+  double novelty_threshold_min_m = 0.01;
+
+  std::int64_t candidatesPerGeneration() const {
+    return candidates > 0 ? candidates : population_size;
+  }
 };
+
+/// The novelty threshold for the generation that begins after so many candidates [m].
+double noveltyThresholdAfter(std::int64_t evaluations, const EvolutionOptions& options);
 
 /// The options with name, unit, range and meaning, bound to `options`.
 std::vector<Option> declareOptions(EvolutionOptions& options);

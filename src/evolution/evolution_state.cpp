@@ -109,20 +109,11 @@ std::int64_t countOf(const std::map<std::string, std::string>& texts, const std:
   return *number;
 }
 
-double lengthOf(const std::map<std::string, std::string>& texts, const std::string& name) {
-  const std::string& text = textOf(texts, name);
-  const auto number = doubleFromText(text);
-  if (!number || !(*number >= 0.0)) fail(name, "a length", text);
-  return *number;
-}
-
 }  // namespace
 
 std::map<std::string, std::string> toTexts(const EvolutionState& state) {
-  std::map<std::string, std::string> texts{
-      {"random", state.random.state()},
-      {"next_id", std::to_string(state.next_id)},
-      {"novelty_threshold_m", exactText(state.novelty_threshold_m)}};
+  std::map<std::string, std::string> texts{{"random", state.random.state()},
+                                           {"next_id", std::to_string(state.next_id)}};
   for (const auto& [name, member] : kCounters) texts[name] = std::to_string(state.counters.*member);
   std::string& population = texts["population"];
   for (const Individual& individual : state.population) population += lineOf(individual);
@@ -134,7 +125,6 @@ EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
   EvolutionState state;
   state.random = Random::fromState(textOf(texts, "random"));
   state.next_id = countOf(texts, "next_id");
-  state.novelty_threshold_m = lengthOf(texts, "novelty_threshold_m");
   for (const auto& [name, member] : kCounters) state.counters.*member = countOf(texts, name);
   std::istringstream lines(textOf(texts, "population"));
   for (std::string line; std::getline(lines, line);) {

@@ -59,7 +59,7 @@ void Generational::beginWith(std::vector<Genome> genotypes) {
 }
 
 EvolutionState Generational::state() const {
-  return {random_, next_id_, counters_, 0.0, population_, entries()};
+  return {random_, next_id_, counters_, population_, entries()};
 }
 
 const Questions& Generational::ask(std::int64_t most_candidates) {
@@ -157,7 +157,7 @@ void Generational::complete() {
       countFailure(draft.pool.individuals[i].outcome.verdict, counters_);
     }
   }
-  finish(std::move(draft.pool), draft.candidates);
+  finish(std::move(draft.pool));
   ++counters_.generations;
 }
 

@@ -34,7 +34,7 @@ class Generational : public Algorithm {
   const std::vector<Individual>& population() const { return population_; }
 
   /// All that another one with the same options and task needs to go on as this one would.
-  virtual EvolutionState state() const;
+  EvolutionState state() const;
 
  protected:
   /// Generations of `size` candidates. Throws std::invalid_argument for a space that is none.
@@ -63,8 +63,8 @@ class Generational : public Algorithm {
   /// moment would take, themselves or a twin of theirs, by the outcome they have.
   virtual std::vector<std::size_t> promising(const std::vector<Individual>& pool,
                                              int looks) const = 0;
-  /// All answers are in, and counted. `candidates`: their number. Must not throw.
-  virtual void finish(Pool pool, std::size_t candidates) = 0;
+  /// All answers are in, and counted. Must not throw.
+  virtual void finish(Pool pool) = 0;
 
   std::vector<Individual> population_;
   EvolutionCounters counters_;

@@ -46,7 +46,6 @@ struct EvolutionState {
   Random random{0};
   std::int64_t next_id = 1;
   EvolutionCounters counters;
-  double novelty_threshold_m = 0.0;    ///< as refined so far
   std::vector<Individual> population;  ///< empty before the first generation
   std::vector<Entry> archive;
 };

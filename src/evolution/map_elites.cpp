@@ -8,7 +8,7 @@ namespace hexapod {
 
 MapElites::MapElites(const EvolutionOptions& options, const Task& task, const Cells& cells,
                      const Random& random)
-    : Generational(options.population_size, task, options.offer_twins, random),
+    : Generational(options.candidatesPerGeneration(), task, options.offer_twins, random),
       options_(options),
       cells_(cells) {
   requireValid(options);
@@ -56,7 +56,7 @@ std::vector<std::size_t> MapElites::promising(const std::vector<Individual>& poo
   return promising;
 }
 
-void MapElites::finish(Pool pool, std::size_t /*candidates*/) {
+void MapElites::finish(Pool pool) {
   for (const Individual& individual : pool.individuals) {
     if (!individual.outcome.walked() || individual.looks < this->looks()) continue;
     offer(individual);

@@ -16,7 +16,7 @@ namespace hexapod {
 /// the best aligned controller that ended in it, of equally aligned ones the first. Candidates are
 /// mutated copies of elites drawn uniformly; they are drawn at random until something has walked.
 ///
-/// Of the options it takes population_size, the candidates of a generation, mutation_rate and
+/// Of the options it takes candidates (0: population_size of them), mutation_rate and
 /// offer_twins: with that the mirror images of a candidate compete for their cells, too. In a task
 /// with further looks those candidates are looked at again that would take a cell by the outcome
 /// they have, themselves or a twin; only final outcomes compete, each for the cell it ends in. Of
@@ -38,7 +38,7 @@ class MapElites : public Generational {
  private:
   std::vector<Genome> breed(std::size_t count, Random& random) const override;
   std::vector<std::size_t> promising(const std::vector<Individual>& pool, int looks) const override;
-  void finish(Pool pool, std::size_t candidates) override;
+  void finish(Pool pool) override;
 
   /// The place among elites_ that the individual would take; nothing when it would take none.
   std::optional<std::size_t> placeFor(const Individual& individual) const;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
 #include <tuple>
+#include <unordered_set>
+
+#include "gait/genome_hash.h"
 
 namespace hexapod {
 
@@ -18,7 +20,7 @@ Neighbourhood::Neighbourhood(const Archive& archive, const std::vector<Individua
   // Of equal genomes the oldest stands for all.
   std::sort(walked.begin(), walked.end(),
             [](const Individual& a, const Individual& b) { return a.id < b.id; });
-  std::set<Genome> seen;
+  std::unordered_set<Genome, GenomeHash> seen;
   for (const Individual& individual : walked) {
     if (archive.contains(individual.genome)) continue;
     if (seen.insert(individual.genome).second) crowd_.push_back(individual);
@@ -38,6 +40,19 @@ Objectives Neighbourhood::objectives(const Individual& individual) const {
   return {sum_m / static_cast<double>(nearest.size()), outperformed};
 }
 
+bool Neighbourhood::isNovel(const Individual& individual, double threshold_m) const {
+  // The crowd can but bring some nearer than the entries are.
+  const std::vector<Rival> entries = entriesAround(individual);
+  if (entries.size() >= neighbours_) {
+    double sum_m = 0.0;
+    for (std::size_t i = 0; i < neighbours_; ++i) {
+      sum_m += std::sqrt(entries[i].squared_distance_m2);
+    }
+    if (sum_m / static_cast<double>(neighbours_) <= threshold_m) return false;
+  }
+  return objectives(individual)[0] > threshold_m;
+}
+
 void Neighbourhood::moveToArchive(const Individual& individual) {
   const auto found = std::find_if(crowd_.begin(), crowd_.end(), [&](const Individual& other) {
     return other.genome == individual.genome;
@@ -47,7 +62,7 @@ void Neighbourhood::moveToArchive(const Individual& individual) {
 
 void Neighbourhood::moveToPool(const Individual& individual) { crowd_.push_back(individual); }
 
-std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& individual) const {
+std::vector<Neighbourhood::Rival> Neighbourhood::entriesAround(const Individual& individual) const {
   const Pose2& end = individual.outcome.end_pose;
   std::vector<Rival> rivals;
   // One more than needed, as its own copy may be among them.
@@ -56,6 +71,12 @@ std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& indivi
     if (entry.genome == individual.genome) continue;
     rivals.push_back({neighbour.squared_distance_m2, neighbour.id, entry.cost});
   }
+  return rivals;
+}
+
+std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& individual) const {
+  const Pose2& end = individual.outcome.end_pose;
+  std::vector<Rival> rivals = entriesAround(individual);
   const double enough_m2 = rivals.size() < neighbours_ ? std::numeric_limits<double>::infinity()
                                                        : rivals.back().squared_distance_m2;
   for (const Individual& other : crowd_) {

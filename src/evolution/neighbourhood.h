@@ -31,6 +31,9 @@ class Neighbourhood {
   /// as printed counts the smaller ones; Algorithm 1 and the text ("outperforms") decide.
   Objectives objectives(const Individual& individual) const;
 
+  /// Whether its novelty is above the threshold; quick where entries are dense.
+  bool isNovel(const Individual& individual, double threshold_m) const;
+
   /// The individual entered the archive.
   void moveToArchive(const Individual& individual);
   /// The individual left the archive.
@@ -42,6 +45,8 @@ class Neighbourhood {
     std::int64_t id;
     double cost;
   };
+  /// The nearest in the archive, the nearest first, neighbours_ or one more if there are as many.
+  std::vector<Rival> entriesAround(const Individual& individual) const;
   std::vector<Rival> rivals(const Individual& individual) const;
 
   const Archive* archive_;

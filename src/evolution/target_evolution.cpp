@@ -40,7 +40,7 @@ std::vector<std::size_t> TargetEvolution::promising(const std::vector<Individual
   return {};
 }
 
-void TargetEvolution::finish(Pool pool, std::size_t /*candidates*/) {
+void TargetEvolution::finish(Pool pool) {
   std::vector<Objectives> values;
   for (const Individual& individual : pool.individuals) values.push_back(objectives(individual));
   population_ = survivors(pool.individuals, values,

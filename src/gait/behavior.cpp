@@ -32,29 +32,42 @@ Angles between(const Angles& from, const Angles& to, double fraction) {
 
 Behavior::Behavior(const RobotDescription& robot, const Genome& genome,
                    const BehaviorOptions& options)
-    : period_s_(options.command_period_s) {
-  const BehaviorParts parts = behaviorParts(options);
-  checkReturnIsSlowEnough(robot, options);
-  const Gait gait(robot, genome);
-  const std::vector<const Joint*> joints = robot.joints();
-  const Angles neutral = robot.neutralPose();
-  commands_.reserve(parts.total());
+    : Behavior(BehaviorMaker(robot, options).make(genome)) {}
 
-  Angles previous = neutral;
-  for (std::size_t k = 0; k < parts.gait; ++k) {
+BehaviorMaker::BehaviorMaker(const RobotDescription& robot, const BehaviorOptions& options)
+    : robot_(&robot),
+      options_(options),
+      joints_(robot.joints()),
+      neutral_rad_(robot.neutralPose()) {
+  const std::size_t commands = behaviorParts(options).gait;
+  checkReturnIsSlowEnough(robot, options);
+  for (std::size_t k = 0; k < commands; ++k) {
+    signals_.push_back(gaitSignals(static_cast<double>(k) * options.command_period_s));
+  }
+}
+
+Behavior BehaviorMaker::make(const Genome& genome) const {
+  const BehaviorParts parts = behaviorParts(options_);
+  const Gait gait(*robot_, genome);
+  Behavior::Commands commands;
+  commands.reserve(parts.total());
+
+  Angles previous = neutral_rad_;
+  for (const GaitSignals& signals : signals_) {
     Angles angles;
-    gait.angles(static_cast<double>(k) * period_s_, angles);
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      angles[j] = reachable(*joints[j], angles[j], previous[j], options);
+    gait.angles(signals, angles);
+    for (std::size_t j = 0; j < joints_.size(); ++j) {
+      angles[j] = reachable(*joints_[j], angles[j], previous[j], options_);
     }
-    commands_.push_back(angles);
+    commands.push_back(angles);
     previous = std::move(angles);
   }
   for (std::size_t k = 1; k < parts.way_back; ++k) {
-    commands_.push_back(between(previous, neutral, static_cast<double>(k) / parts.way_back));
+    commands.push_back(between(previous, neutral_rad_, static_cast<double>(k) / parts.way_back));
   }
   // The ramp arrives exactly.
-  commands_.resize(parts.total(), neutral);
+  commands.resize(parts.total(), neutral_rad_);
+  return {options_.command_period_s, std::move(commands)};
 }
 
 }  // namespace hexapod

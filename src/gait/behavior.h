@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "gait/behavior_options.h"
+#include "gait/gait.h"
 #include "gait/genome.h"
 #include "robot/robot_description.h"
 
@@ -22,6 +24,8 @@ namespace hexapod {
 /// used only during construction.
 class Behavior {
  public:
+  using Commands = std::vector<std::vector<double>>;
+
   /// Throws std::invalid_argument when genome or options do not fit the robot or each other, with a
   /// sentence naming the gene or the option.
   Behavior(const RobotDescription& robot, const Genome& genome, const BehaviorOptions& options);
@@ -33,8 +37,31 @@ class Behavior {
   const std::vector<double>& command(std::size_t k) const { return commands_[k]; }
 
  private:
+  friend class BehaviorMaker;
+  Behavior(double period_s, Commands commands)
+      : period_s_(period_s), commands_(std::move(commands)) {}
+
   double period_s_;
-  std::vector<std::vector<double>> commands_;
+  Commands commands_;
+};
+
+/// Makes many behaviours of one robot and one set of options: what all gaits have in common is
+/// worked out once. Immutable; const functions may be called from any thread.
+class BehaviorMaker {
+ public:
+  /// The description must outlive it. Throws std::invalid_argument when options do not fit the
+  /// robot.
+  BehaviorMaker(const RobotDescription& robot, const BehaviorOptions& options);
+
+  /// Behavior(robot, genome, options). Throws std::invalid_argument when the genome does not fit.
+  Behavior make(const Genome& genome) const;
+
+ private:
+  const RobotDescription* robot_;
+  BehaviorOptions options_;
+  std::vector<const Joint*> joints_;
+  std::vector<double> neutral_rad_;
+  std::vector<GaitSignals> signals_;  // of each command of the gait
 };
 
 }  // namespace hexapod

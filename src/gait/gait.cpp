@@ -1,6 +1,5 @@
 #include "gait/gait.h"
 
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -8,6 +7,14 @@ namespace hexapod {
 
 double gaitSignal(double time_s, double amplitude, double phase) {
   return amplitude * std::tanh(4.0 * std::sin(2.0 * M_PI * (time_s + phase)));
+}
+
+GaitSignals gaitSignals(double time_s) {
+  GaitSignals signals;
+  for (std::uint8_t level = 0; level < kGeneLevels; ++level) {
+    signals[level] = gaitSignal(time_s, 1.0, geneValue(level));
+  }
+  return signals;
 }
 
 Gait::Gait(const RobotDescription& robot, const Genome& genome)
@@ -32,11 +39,7 @@ Gait::Gait(const RobotDescription& robot, const Genome& genome)
   }
 }
 
-void Gait::angles(double time_s, std::vector<double>& angles_rad) const {
-  std::array<double, kGeneLevels> signals;  // at full amplitude, of each phase level
-  for (std::uint8_t level = 0; level < kGeneLevels; ++level) {
-    signals[level] = gaitSignal(time_s, 1.0, geneValue(level));
-  }
+void Gait::angles(const GaitSignals& signals, std::vector<double>& angles_rad) const {
   angles_rad.resize(joints_.size());
   for (std::size_t j = 0; j < joints_.size(); ++j) {
     const double signal = amplitudes_[j] * signals[phase_levels_[j]];

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -10,6 +11,10 @@ namespace hexapod {
 
 /// gamma(t) = amplitude * tanh(4 sin(2 pi (t + phase))): eq. 3 of the paper, period 1 s.
 double gaitSignal(double time_s, double amplitude, double phase);
+
+/// gamma at full amplitude at one time, for each phase level: what all gaits have in common then.
+using GaitSignals = std::array<double, kGeneLevels>;
+GaitSignals gaitSignals(double time_s);
 
 /// The periodic joint targets of one genome: pure function of time.
 ///
@@ -24,7 +29,10 @@ class Gait {
 
   /// Writes the targets [rad] at time_s [s] in joint order; resizes `angles_rad` to the joint
   /// count.
-  void angles(double time_s, std::vector<double>& angles_rad) const;
+  void angles(double time_s, std::vector<double>& angles_rad) const {
+    angles(gaitSignals(time_s), angles_rad);
+  }
+  void angles(const GaitSignals& signals, std::vector<double>& angles_rad) const;
 
   const RobotDescription& robot() const { return *robot_; }
 

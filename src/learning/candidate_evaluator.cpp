@@ -41,6 +41,11 @@ void CandidateEvaluator::serveFor(Channel& master) {
   serve(master, own_, robust_, [this] { return simulations(); });
 }
 
+LaneUse CandidateEvaluator::use() const {
+  const LaneUse first = nominal_.use(), further = robust_.use();
+  return {first.register_steps + further.register_steps, first.lane_steps + further.lane_steps};
+}
+
 std::int64_t CandidateEvaluator::simulations() const {
   return nominal_.counts().simulations + robust_.simulations() + distributed_.remoteSimulations();
 }

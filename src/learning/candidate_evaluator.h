@@ -37,6 +37,9 @@ class CandidateEvaluator {
   /// Behaviours simulated so far, by the workers as well.
   std::int64_t simulations() const;
 
+  /// How full the registers of this process were.
+  LaneUse use() const;
+
  private:
   std::vector<Symmetry> symmetries_;
   Introduction own_;

@@ -1,7 +1,10 @@
 #include "learning/checks.h"
 
 #include <algorithm>
+#include <cstdint>
+#include <utility>
 
+#include "common/random.h"
 #include "common/text.h"
 #include "evaluation/assessment.h"
 #include "evaluation/validation.h"
@@ -9,6 +12,14 @@
 
 namespace hexapod {
 namespace {
+
+// Other generators get the seed as it is.
+constexpr std::uint64_t kSampling = 0x73616d706c65;
+
+struct Differences {
+  double m = 0.0;
+  double rad = 0.0;
+};
 
 std::vector<Genome> genomesOf(const std::vector<Entry>& entries) {
   std::vector<Genome> genomes;
@@ -20,35 +31,59 @@ bool isVerified(const LearningRun& run) {
   return run.options().verify_with_ode && run.engine().engine != Engine::kOde;
 }
 
-std::optional<Findings> verifyEntries(const LearningRun& run, const CheckHooks& hooks) {
-  const std::vector<Entry>& entries = run.learned();
-  const Verification verification =
-      verifyInOde(*run.worlds(), run.options().behavior, genomesOf(entries),
-                  {hooks.progress, &hooks.cancelled});
-  if (hooks.cancelled) return std::nullopt;
-  Findings findings;
-  for (std::size_t i = 0; i < entries.size(); ++i) {
-    if (!verification.holds[i]) findings.dropped.insert(entries[i].id);
+/// The entries with those that the sample is drawn of first, all where the sample is to be all.
+std::vector<Entry> sampledFirst(const LearningRun& run, std::size_t sample) {
+  std::vector<Entry> entries = run.learned();
+  Random random(static_cast<std::uint64_t>(run.options().seed) ^ kSampling);
+  for (std::size_t k = 0; k < sample; ++k) {
+    std::swap(entries[k], entries[k + random.below(entries.size() - k)]);
   }
-  findings.facts["verified_entries"] = std::to_string(entries.size() - findings.dropped.size());
+  return entries;
+}
+
+/// Replays entries in ODE and adds what it says to the findings; false when some do not hold.
+bool replay(const LearningRun& run, const std::vector<Entry>& entries, const PlayHooks& hooks,
+            Findings& findings, Differences& largest) {
+  const Verification found =
+      verifyInOde(run.worlds(), run.options().behavior, genomesOf(entries), hooks);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (!found.holds[i]) findings.dropped.insert(entries[i].id);
+  }
+  largest.m = std::max(largest.m, found.largest_difference_m);
+  largest.rad = std::max(largest.rad, found.largest_difference_rad);
+  return findings.dropped.empty();
+}
+
+Findings verifyEntries(const LearningRun& run, const PlayHooks& hooks) {
+  const std::size_t all = run.learned().size();
+  const auto wanted = static_cast<std::size_t>(run.options().verification_sample);
+  const std::size_t sample = wanted == 0 ? all : std::min(wanted, all);
+  const std::vector<Entry> entries = sampledFirst(run, sample);
+  const auto rest = entries.begin() + static_cast<std::ptrdiff_t>(sample);
+  Findings findings;
+  Differences largest;
+  std::size_t replayed = sample;
+  if (!replay(run, {entries.begin(), rest}, hooks, findings, largest) && sample < all) {
+    replay(run, {rest, entries.end()}, hooks, findings, largest);
+    replayed = all;
+  }
+  findings.facts["verified_entries"] = std::to_string(replayed - findings.dropped.size());
   findings.facts["dropped_entries"] = std::to_string(findings.dropped.size());
-  findings.facts["largest_difference_m"] = exactText(verification.largest_difference_m);
-  findings.facts["largest_difference_rad"] = exactText(verification.largest_difference_rad);
+  findings.facts["largest_difference_m"] = exactText(largest.m);
+  findings.facts["largest_difference_rad"] = exactText(largest.rad);
   return findings;
 }
 
 bool isValidated(const LearningRun& run) { return run.options().validation_trials > 0; }
 
-std::optional<Findings> validateEntries(const LearningRun& run, const CheckHooks& hooks) {
+Findings validateEntries(const LearningRun& run, const PlayHooks& hooks) {
   const std::vector<Entry> entries = run.entries();
   ValidationOptions options;
   options.trials = run.options().validation_trials;
   options.start_states = std::max(options.start_states, options.trials);
   options.seed = static_cast<std::uint64_t>(run.options().seed);
   const std::vector<Execution> executions =
-      validate(*run.worlds(), run.options().behavior, genomesOf(entries), options,
-               {hooks.progress, &hooks.cancelled});
-  if (hooks.cancelled) return std::nullopt;
+      validate(run.worlds(), run.options().behavior, genomesOf(entries), options, hooks);
   Findings findings;
   for (std::size_t i = 0; i < entries.size(); ++i) {
     findings.executions[entries[i].id] = executions[i];
@@ -60,20 +95,10 @@ bool isTriedElsewhere(const LearningRun& run) { return run.options().resimulate;
 
 }  // namespace
 
-std::optional<Findings> tryOtherWorlds(const LearningRun& run, const CheckHooks& hooks) {
-  const std::vector<Entry> entries = run.entries();
-  const std::vector<Trial> trials = heldOutTrials(run.robot(), run.worlds()->physics());
-  std::vector<TrialResult> results;
-  try {
-    for (const Trial& trial : trials) {
-      const auto found =
-          resimulate(run.worlds(), run.options().behavior, entries, {trial}, &hooks.cancelled);
-      results.push_back(found.front());
-      if (hooks.progress) hooks.progress(results.size(), trials.size());
-    }
-  } catch (const EvaluationCancelled&) {
-    return std::nullopt;
-  }
+Findings tryOtherWorlds(const LearningRun& run, const PlayHooks& hooks) {
+  const std::vector<TrialResult> results =
+      resimulate(run.worlds(), run.options().behavior, run.entries(),
+                 heldOutTrials(run.robot(), run.worlds()->physics()), hooks);
   Findings findings;
   findings.facts = factsOf(results);
   findings.held_out = heldOutMedians(results);

@@ -1,30 +1,20 @@
 #pragma once
 
-#include <atomic>
-#include <cstddef>
-#include <functional>
-#include <optional>
 #include <vector>
 
+#include "evaluation/robust_worlds.h"
 #include "learning/learning_phase.h"
 #include "learning/learning_run.h"
 
 namespace hexapod {
-
-/// What a check is told, and tells, while it works.
-struct CheckHooks {
-  /// Called with what is done and what there is to do, by any thread, one at a time.
-  std::function<void(std::size_t, std::size_t)> progress;
-  const std::atomic<bool>& cancelled;
-};
 
 /// A look at a run's entries after evolution. It changes nothing; what it finds is for
 /// LearningRun::add().
 struct Check {
   LearningPhase phase;
   bool (*is_wanted)(const LearningRun& run);
-  /// Nothing when it was cancelled.
-  std::optional<Findings> (*find)(const LearningRun& run, const CheckHooks& hooks);
+  /// The hooks are told of the behaviours it plays. Throws EvaluationCancelled.
+  Findings (*find)(const LearningRun& run, const PlayHooks& hooks);
 };
 
 /// The checks in the order in which they are made: verification in ODE, validation of what holds,
@@ -32,7 +22,7 @@ struct Check {
 const std::vector<Check>& checks();
 
 /// What is left in worlds that learning does not use of the entries as they are now, told as
-/// held_out and facts. Nothing when it was cancelled.
-std::optional<Findings> tryOtherWorlds(const LearningRun& run, const CheckHooks& hooks);
+/// held_out and facts. Throws EvaluationCancelled.
+Findings tryOtherWorlds(const LearningRun& run, const PlayHooks& hooks);
 
 }  // namespace hexapod

@@ -49,7 +49,7 @@ std::vector<Option> declareOptions(LearnOptions& options) {
       option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
       option("algorithm", options.algorithm,
              "What breeds the candidates and keeps the entries: BR-Evolution, or MAP-Elites on a "
-             "grid or on Voronoi cells, which takes population_size, mutation_rate and offer_twins "
+             "grid or on Voronoi cells, which takes candidates, mutation_rate and offer_twins "
              "of BR-Evolution's options, not the others.",
              algorithmNames()),
       option("from", options.from,
@@ -70,9 +70,14 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "spread_weight_rad_per_m is divided by it; 0: by the reach of the robot's legs over "
              "the 0.29 m that these are made for, and by less for feet that step less far for it.",
              0.0, 1000.0),
-      option("verify_with_ode", options.verify_with_ode,
-             "Replay all entries of the engine reduced in ODE when learning is done, and leave out "
-             "those that do not hold."),
+      option(
+          "verify_with_ode", options.verify_with_ode,
+          "Replay entries of the engine reduced in ODE when learning is done, and leave out those "
+          "that do not hold."),
+      option("verification_sample", options.verification_sample,
+             "So many entries, drawn at random, are replayed in ODE; where one of them does not "
+             "hold, all are. 0: all in any case.",
+             0, 1000000000),
       option("resimulate", options.resimulate,
              "When learning is done, play the entries in worlds that it did not use, too, and keep "
              "among the file's facts what is left of them."),
@@ -137,8 +142,8 @@ bool isBudget(const std::string& option_name) {
 }
 
 bool isCheck(const std::string& option_name) {
-  return option_name == "verify_with_ode" || option_name == "resimulate" ||
-         option_name == "validation_trials";
+  return option_name == "verify_with_ode" || option_name == "verification_sample" ||
+         option_name == "resimulate" || option_name == "validation_trials";
 }
 
 std::string runId(const RobotDescription& robot,

@@ -32,6 +32,7 @@ struct LearnOptions {
   double step_s = 0.015;
   double length_scale = 0.0;  ///< of all lengths below; 0: the robot's own
   bool verify_with_ode = true;
+  std::int64_t verification_sample = 60;
   bool resimulate = true;
   std::int64_t validation_trials = 8;
   double checkpoint_period_s = 5.0;

@@ -36,8 +36,10 @@ std::string describe(const LearningStatus& status) {
   if (status.phase == LearningPhase::kVerifying) {
     return "Verifying: " + checked + " entries replayed in ODE.";
   }
-  if (status.phase == LearningPhase::kValidating) return "Validating: " + checked + " entries.";
-  if (status.phase == LearningPhase::kTryingWorlds) return "Trying other worlds: " + checked + ".";
+  if (status.phase == LearningPhase::kValidating) return "Validating: " + checked + " executions.";
+  if (status.phase == LearningPhase::kTryingWorlds) {
+    return "Trying other worlds: " + checked + " executions.";
+  }
   if (status.phase != LearningPhase::kDone) return describeEvolving(status);
   std::string line = "Done: " + std::to_string(status.counters.evaluations) + " evaluations, " +
                      fixedText(status.evaluations_per_s, 0) + "/s, " +

@@ -52,6 +52,7 @@ class LearningRun {
   const HistoryRow* newestRow() const { return history_.empty() ? nullptr : &history_.back(); }
   std::int64_t simulations() const { return earlier_simulations_ + evaluator_.simulations(); }
   std::int64_t known() const { return evaluator_.known(); }
+  LaneUse laneUse() const { return evaluator_.use(); }
   /// Spent evolving, in earlier processes as well.
   double elapsed_s() const { return elapsed_s_; }
 

@@ -121,15 +121,17 @@ void LearningSession::lap() {
 
 void LearningSession::addHeldOut() {
   if (!options_.resimulate) return;
-  const std::optional<Findings> found = tryOtherWorlds(run_, {{}, stop_});
-  if (!found) return;  // asked to stop: the row does without
-  const std::lock_guard<FairMutex> lock(mutex_);
-  run_.add({{}, {}, {}, found->held_out});
+  try {
+    const Findings found = tryOtherWorlds(run_, {nullptr, &stop_});
+    const std::lock_guard<FairMutex> lock(mutex_);
+    run_.add({{}, {}, {}, found.held_out});
+  } catch (const EvaluationCancelled&) {
+    // Asked to stop: the row does without.
+  }
 }
 
 bool LearningSession::checkEntries(const Hooks& hooks) {
-  CheckHooks check_hooks{{}, stop_};
-  check_hooks.progress = [&](std::size_t done, std::size_t all) {
+  const auto progress = [&](std::size_t done, std::size_t all) {
     checked_ = static_cast<std::int64_t>(done);
     to_check_ = static_cast<std::int64_t>(all);
     if (hooks.progress) hooks.progress(*this);
@@ -138,10 +140,13 @@ bool LearningSession::checkEntries(const Hooks& hooks) {
     if (!check.is_wanted(run_)) continue;
     enter(check.phase);
     save(hooks);
-    const std::optional<Findings> found = check.find(run_, check_hooks);
-    if (!found) return false;
-    const std::lock_guard<FairMutex> lock(mutex_);
-    run_.add(*found);
+    try {
+      const Findings found = check.find(run_, {progress, &stop_});
+      const std::lock_guard<FairMutex> lock(mutex_);
+      run_.add(found);
+    } catch (const EvaluationCancelled&) {
+      return false;
+    }
   }
   return true;
 }

@@ -25,11 +25,11 @@ struct LearningStatus {
   std::int64_t known =
       0;  ///< candidates of this process that were not simulated: gaits seen before
   std::int64_t evaluations_budget = 0;
-  double time_budget_s = 0.0;  ///< 0: none
-  std::int64_t entries = 0;    ///< those that were dropped excluded
-  std::int64_t dropped = 0;    ///< entries left out, since they do not hold in ODE
-  std::int64_t checked = 0;    ///< of the check under way: entries, or worlds, that are done
-  std::int64_t to_check = 0;
+  double time_budget_s = 0.0;      ///< 0: none
+  std::int64_t entries = 0;        ///< those that were dropped excluded
+  std::int64_t dropped = 0;        ///< entries left out, since they do not hold in ODE
+  std::int64_t checked = 0;        ///< behaviours that the check under way has played
+  std::int64_t to_check = 0;       ///< and those it plays
   double elapsed_s = 0.0;          ///< spent evolving
   double evaluations_per_s = 0.0;  ///< over the time spent evolving
   double eta_s = 0.0;              ///< to the end of evolution; 0 once it has ended
@@ -43,7 +43,8 @@ struct LearningStatus {
 /// killed, and ends with the same entries as if nothing had happened. A run that had been finished
 /// stays as it is, unless it is given a larger budget, other checks or `check_again`: then it
 /// evolves further, and is checked anew. (More evaluations later give the same as more at once if
-/// the former number was a multiple of population_size, so that no generation was cut short.)
+/// the former number was a multiple of a generation's candidates, so that no generation was cut
+/// short.)
 ///
 /// run() does the work in the thread that calls it. requestStop() and saveNow() may be called from
 /// any thread; everything else belongs to the thread of run(), that is, to its hooks.

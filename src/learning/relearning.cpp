@@ -48,14 +48,11 @@ std::optional<Repertoire> relearn(const RobotDescription& robot, const Repertoir
   LearningRun run(robot, optionsFor(robot, repertoire, body, options), start, cancelled, {});
   try {
     while (run.budgetIsLeft()) run.step();
+    for (const Check& check : checks()) {
+      if (check.is_wanted(run)) run.add(check.find(run, {nullptr, &cancelled}));
+    }
   } catch (const EvaluationCancelled&) {
     return std::nullopt;
-  }
-  for (const Check& check : checks()) {
-    if (!check.is_wanted(run)) continue;
-    const std::optional<Findings> found = check.find(run, {{}, cancelled});
-    if (!found) return std::nullopt;
-    run.add(*found);
   }
   return run.repertoire();
 }

@@ -70,7 +70,7 @@ Raises:
 The same ones until they are told.
 
 Args:
-    most: No more than so many candidates; None: as many as population_size says.
+    most: No more than so many candidates; None: as many as candidates and population_size say.
 
 Returns:
     Shape (n, genes), uint8.)")

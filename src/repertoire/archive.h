@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <optional>
-#include <set>
 #include <unordered_set>
 #include <vector>
 
+#include "gait/genome_hash.h"
 #include "repertoire/entry.h"
 #include "repertoire/point_index.h"
 
@@ -60,7 +60,7 @@ class Archive {
   std::vector<Entry> entries_;
   PointIndex index_;
   std::unordered_set<std::int64_t> ids_;
-  std::set<Genome> genomes_;
+  std::unordered_set<Genome, GenomeHash> genomes_;
 };
 
 }  // namespace hexapod

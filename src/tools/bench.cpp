@@ -7,9 +7,11 @@
 #include "tools/bench_agreement.h"
 #include "tools/bench_cases.h"
 #include "tools/bench_evolution.h"
+#include "tools/bench_learning.h"
 #include "tools/bench_machine.h"
 #include "tools/bench_options.h"
 #include "tools/bench_speed.h"
+#include "tools/learner_file.h"
 #include "tools/package_files.h"
 
 namespace hexapod {
@@ -53,6 +55,18 @@ void measureSpeed(const std::vector<BenchCase>& cases, const BenchOptions& optio
   std::cout << "\nPeak memory of the whole run: " << peakMemory_mb() << " MB.\n";
 }
 
+void measureLearning(const RobotDescription& robot, const BenchOptions& options) {
+  std::cout << kLearningHeading << std::flush;
+  for (const std::string preset : {"learn", "learn_paper"}) {
+    const std::string file = packageFolder() + "/config/" + preset + ".yaml";
+    LearnOptions learn;
+    applyOptions(declareOptions(learn), valuesFromLearnerFile(file), file);
+    learn.evaluations = options.learning;
+    learn.seed = options.seed;
+    std::cout << describe(preset + ".yaml", measureLearning(robot, learn)) << std::flush;
+  }
+}
+
 int bench(const std::vector<std::string>& arguments) {
   const BenchOptions options = benchOptionsFrom(arguments);
   if (options.help) {
@@ -63,7 +77,9 @@ int bench(const std::vector<std::string>& arguments) {
   const std::vector<BenchCase> cases =
       benchCases(loadRobot(folder + "/urdf/hexapod.urdf", folder + "/config/hexapod.yaml"));
   std::cout << describeMachine() << "\n";
-  if (options.agreement > 0) {
+  if (options.learning > 0) {
+    measureLearning(cases[0].robot, options);
+  } else if (options.agreement > 0) {
     measureAgreement(cases, options);
   } else {
     measureSpeed(cases, options);

@@ -93,8 +93,10 @@ std::vector<Genome> mixedControllers(const BenchCase& bench_case, std::size_t co
 
 Agreement compareEngines(const BenchCase& bench_case, const std::vector<Genome>& genomes,
                          int threads, const AgreementProgress& progress) {
-  WorldPool ode(Engine::kOde, bench_case.robot, bench_case.physics, threads);
-  WorldPool reduced(Engine::kReduced, bench_case.robot, bench_case.physics, threads);
+  const auto ode =
+      std::make_shared<WorldPool>(Engine::kOde, bench_case.robot, bench_case.physics, threads);
+  const auto reduced =
+      std::make_shared<WorldPool>(Engine::kReduced, bench_case.robot, bench_case.physics, threads);
   Agreement agreement;
   // Every part is as mixed as the whole.
   const std::size_t parts = (genomes.size() + kAtOnce - 1) / kAtOnce;

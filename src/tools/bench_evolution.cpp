@@ -46,7 +46,7 @@ GenerationCost measureGeneration(std::size_t archive, std::size_t gene_count) {
   advance(evolution, evaluator);
   GenerationCost cost;
   cost.archive = archive;
-  cost.candidates = static_cast<std::size_t>(EvolutionOptions().population_size);
+  cost.candidates = static_cast<std::size_t>(EvolutionOptions().candidatesPerGeneration());
   const double begin_s = threadCpu_s();
   int generations = 0;
   for (; threadCpu_s() - begin_s < kMeasuringTime_s; ++generations) advance(evolution, evaluator);

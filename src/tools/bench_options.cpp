@@ -10,6 +10,10 @@ std::vector<Option> declareOptions(BenchOptions& options) {
                  "Instead of speed, compare where both engines end: this many controllers with the "
                  "shipped robot at 15 ms, a tenth of it in each other case.",
                  0, 1000000),
+          option("learning", options.learning,
+                 "Instead of that, evolve so many candidates by either preset with one thread and "
+                 "with two.",
+                 0, 1000000000),
           option("seed", options.seed, "Seed of the controllers.", 0, 1000000000),
           option("threads", options.threads, "Threads that compare; 0: all cores.", 0, 1024),
           option("seconds_per_case", options.seconds_per_case, "s",
@@ -27,10 +31,12 @@ std::string benchHelp() {
   BenchOptions options;
   return "usage: bench [--name value ...]\n\n"
          "Measures the engines of the simulation against ODE, in one run: speed on one and two\n"
-         "threads, evolution's own share, memory; or with --agreement where they end. About a\n"
-         "minute on an idle machine; the ratios hold on a busy one as well.\n\n"
+         "threads, evolution's own share, memory; or with --agreement where they end, with\n"
+         "--learning how learning runs keep threads and registers busy. About a minute on an idle\n"
+         "machine; the ratios hold on a busy one as well.\n\n"
          "  bench\n"
-         "  bench --agreement 10000\n\n" +
+         "  bench --agreement 10000\n"
+         "  bench --learning 50000\n\n" +
          describeOptions(declareOptions(options));
 }
 

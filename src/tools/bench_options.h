@@ -12,6 +12,7 @@ namespace hexapod {
 struct BenchOptions {
   bool help = false;
   std::int64_t agreement = 0;
+  std::int64_t learning = 0;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
   double seconds_per_case = 8.0;

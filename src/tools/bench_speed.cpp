@@ -94,7 +94,7 @@ std::function<void(const std::vector<BatchRun>&)> inBatches(const BenchCase& ben
 
 /// The evaluator of one engine with so many threads, with the time it has taken so far.
 struct Team {
-  BehaviorEvaluator evaluator;
+  std::unique_ptr<BehaviorEvaluator> evaluator;
   double cpu_s = 0.0;
   double wall_s = 0.0;
   std::size_t played = 0;
@@ -102,7 +102,7 @@ struct Team {
 
 void playSlice(Team& team, const std::vector<Genome>& genomes) {
   const double begin_cpu_s = processCpu_s(), begin_wall_s = wall_s();
-  team.evaluator.evaluate(genomes);
+  team.evaluator->evaluate(genomes);
   team.cpu_s += processCpu_s() - begin_cpu_s;
   team.wall_s += wall_s() - begin_wall_s;
   team.played += genomes.size();
@@ -112,10 +112,11 @@ ThreadsSpeed measureThreads(const BenchCase& bench_case, Engine engine,
                             const std::vector<Genome>& genomes, double cpu_s) {
   std::deque<Team> teams;
   for (const int threads : {1, 2}) {
-    teams.push_back({BehaviorEvaluator(
+    teams.emplace_back();
+    teams.back().evaluator = std::make_unique<BehaviorEvaluator>(
         std::make_shared<WorldPool>(engine, bench_case.robot, bench_case.physics, threads),
-        BehaviorOptions())});
-    teams.back().evaluator.evaluate(genomes);  // builds the worlds
+        BehaviorOptions());
+    teams.back().evaluator->evaluate(genomes);  // builds the worlds
   }
   while (teams[0].cpu_s + teams[1].cpu_s < cpu_s) {
     for (Team& team : teams) playSlice(team, genomes);

@@ -79,17 +79,5 @@ TEST_F(Assessment, HoldsOutWhatLearningNeverDraws) {
   EXPECT_TRUE(has(&Physics::torque_scale, 0.8));
 }
 
-TEST_F(Assessment, ChainsTheSameBehavioursForTheSameSeed) {
-  const ChainResult first = chainAtRandom(*pool_, behavior_, entries_, 20, 1);
-  const ChainResult again = chainAtRandom(*pool_, behavior_, entries_, 20, 1);
-  const ChainResult other = chainAtRandom(*pool_, behavior_, entries_, 20, 2);
-  EXPECT_EQ(first.behaviors, 20);
-  EXPECT_GT(first.median_m, 0.0);
-  EXPECT_GE(first.p90_m, first.median_m);
-  EXPECT_GE(first.p90_rad, first.median_rad);
-  EXPECT_EQ(first.median_m, again.median_m);
-  EXPECT_NE(first.median_m, other.median_m);
-}
-
 }  // namespace
 }  // namespace hexapod

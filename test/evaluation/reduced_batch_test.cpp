@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -91,6 +93,73 @@ TEST(BatchRollout, StartsFromGivenStates) {
     if (i % 3 != 0) chained[i].start = &first[(i + 4) % first.size()].end;
   }
   expectSame(batch.play(chained, kPeriod_s), oneByOne(robot, chained));
+}
+
+/// Each with another step, and all that may differ between lanes.
+std::vector<Physics> differentPhysics() {
+  std::vector<Physics> all(4);
+  all[1].step_s = 0.010;
+  all[1].friction_scale = 0.8;
+  all[1].slope_x_rad = 0.02;
+  all[2].step_s = 0.005;
+  all[2].mass_scale = 1.13;
+  all[2].torque_scale = 0.9;
+  all[3].servo_gain_scale = 0.7;
+  all[3].command_latency_s = 0.045;
+  all[3].joint_torque_scales.assign(handMadeHexapod().jointCount(), 1.0);
+  all[3].joint_torque_scales[4] = 0.6;
+  return all;
+}
+
+TEST(BatchRollout, PlaysSeveralPhysicsSideBySideAsEachByItself) {
+  const RobotDescription robot = handMadeHexapod();
+  const std::vector<Behavior> played = behaviors(robot, 23);
+  std::vector<BatchPhysics> physics;
+  for (const Physics& one : differentPhysics()) {
+    physics.push_back({one, ReducedWorld(robot, one).state()});
+  }
+  std::vector<BatchRun> mixed = runs(played);
+  for (std::size_t i = 0; i < mixed.size(); ++i) mixed[i].physics = i % physics.size();
+  for (const reduced::InstructionSet instructions : reduced::availableInstructionSets()) {
+    SCOPED_TRACE(toString(instructions));
+    BatchRollout batch(robot, physics, instructions);
+    const std::vector<BatchResult> found = batch.play(mixed, kPeriod_s);
+    for (std::size_t i = 0; i < mixed.size(); ++i) {
+      ReducedWorld world(robot, physics[mixed[i].physics].physics);
+      BatchResult expected;
+      expected.outcome = play(world, *mixed[i].behavior, kPeriod_s);
+      expected.end = world.state();
+      expectSame({found[i]}, {expected});
+    }
+    EXPECT_GT(batch.use().register_steps, 0);
+    EXPECT_LE(batch.use().lane_steps, batch.lanes() * batch.use().register_steps);
+  }
+}
+
+TEST(BatchRollout, RefusesPhysicsWithLegsInOtherStates) {
+  const RobotDescription robot = handMadeHexapod();
+  std::vector<BatchPhysics> physics(2, {Physics(), ReducedWorld(robot, Physics()).state()});
+  physics[1].physics.legs.resize(robot.legs.size());
+  physics[1].physics.legs[2].condition = LegCondition::kLimp;
+  EXPECT_THROW(BatchRollout(robot, physics), std::invalid_argument);
+  EXPECT_THROW(BatchRollout(robot, std::vector<BatchPhysics>{}), std::invalid_argument);
+}
+
+TEST(RunQueue, GivesEveryRunOnceAndNothingOnceCancelled) {
+  const std::vector<BatchRun> runs(3);
+  std::atomic<bool> cancelled{false};
+  std::size_t ended = 0;
+  RunQueue queue(
+      runs, [&](std::size_t done) { ended = done; }, &cancelled);
+  EXPECT_EQ(queue.take(), std::optional<std::size_t>(0));
+  EXPECT_EQ(queue.take(), std::optional<std::size_t>(1));
+  queue.finish(1, {});
+  EXPECT_EQ(ended, 1u);
+  cancelled = true;
+  EXPECT_EQ(queue.take(), std::nullopt);
+  cancelled = false;
+  EXPECT_EQ(queue.take(), std::optional<std::size_t>(2));
+  EXPECT_EQ(queue.take(), std::nullopt);
 }
 
 TEST(BatchRollout, CountsOnlyTheLaneThatBlowsUpAsDiverged) {

@@ -42,11 +42,11 @@ std::vector<Genome> mixedGenomes(const std::shared_ptr<WorldPool>& worlds) {
 
 TEST(ReducedOracle, EndsBehavioursWhereOdeDoes) {
   const RobotDescription robot = handMadeHexapod();
-  WorldPool ode(Engine::kOde, robot, Physics());
+  const auto ode = std::make_shared<WorldPool>(Engine::kOde, robot, Physics());
   const auto reduced = std::make_shared<WorldPool>(Engine::kReduced, robot, Physics());
   const std::vector<Genome> genomes = mixedGenomes(reduced);
   const std::vector<End> expected = playFromTheStand(ode, BehaviorOptions(), genomes);
-  const std::vector<End> ends = playFromTheStand(*reduced, BehaviorOptions(), genomes);
+  const std::vector<End> ends = playFromTheStand(reduced, BehaviorOptions(), genomes);
   std::vector<double> apart_m, apart_rad;
   for (std::size_t i = 0; i < genomes.size(); ++i) {
     ASSERT_EQ(ends[i].verdict, expected[i].verdict) << toString(genomes[i]);

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
 #include <stdexcept>
 
+#include "evolution/evaluator.h"
 #include "simulation/test_robots.h"
 
 namespace hexapod {
@@ -65,7 +68,7 @@ TEST(Validate, GivesTheSameOnAnyNumberOfThreadsAndReportsProgress) {
   const RobotDescription robot = handMadeHexapod();
   std::vector<Genome> genomes = randomGenomes(robot, 4, 3);
   genomes.push_back(tripod(robot));
-  WorldPool one(Engine::kOde, robot, Physics(), 1);
+  const auto one = std::make_shared<WorldPool>(Engine::kOde, robot, Physics(), 1);
   const std::vector<Execution> expected = validate(one, shortBehavior(), genomes, fewTrials());
   ASSERT_EQ(expected.size(), genomes.size());
   for (const Execution& execution : expected) {
@@ -76,22 +79,24 @@ TEST(Validate, GivesTheSameOnAnyNumberOfThreadsAndReportsProgress) {
   EXPECT_GT(expected.back().mean.x_m, 0.05);
   EXPECT_GT(expected.back().spread_m, 1e-5);
 
-  WorldPool three(Engine::kOde, robot, Physics(), 3);
+  const auto three = std::make_shared<WorldPool>(Engine::kOde, robot, Physics(), 3);
   std::vector<std::size_t> progress;
-  ValidationHooks hooks;
+  PlayHooks hooks;
   hooks.progress = [&](std::size_t done, std::size_t total) {
-    EXPECT_EQ(total, 5u);
+    EXPECT_EQ(total, 5u * 3u);
     progress.push_back(done);
   };
   const std::vector<Execution> found =
       validate(three, shortBehavior(), genomes, fewTrials(), hooks);
   for (std::size_t i = 0; i < found.size(); ++i) expectEqual(found[i], expected[i]);
-  EXPECT_EQ(progress, (std::vector<std::size_t>{1, 2, 3, 4, 5}));
+  std::vector<std::size_t> one_by_one(15);
+  std::iota(one_by_one.begin(), one_by_one.end(), std::size_t{1});
+  EXPECT_EQ(progress, one_by_one);
 }
 
 TEST(Validate, CountsFallsOfAGenomeAndDrawsOtherPredecessors) {
   const RobotDescription robot = hexapodWithWideHips();
-  WorldPool worlds(Engine::kOde, robot, Physics(), 1);
+  const auto worlds = std::make_shared<WorldPool>(Engine::kOde, robot, Physics(), 1);
   const std::vector<Execution> executions =
       validate(worlds, shortBehavior(), {tripod(robot), standing(robot)}, fewTrials());
   EXPECT_EQ(executions[0].falls, 3);
@@ -101,24 +106,20 @@ TEST(Validate, CountsFallsOfAGenomeAndDrawsOtherPredecessors) {
 
 TEST(Validate, StopsWhenCancelled) {
   const RobotDescription robot = handMadeHexapod();
-  WorldPool worlds(Engine::kOde, robot, Physics(), 1);
+  const auto worlds = std::make_shared<WorldPool>(Engine::kOde, robot, Physics(), 1);
   std::atomic<bool> cancelled{false};
-  ValidationHooks hooks;
+  PlayHooks hooks;
   hooks.cancelled = &cancelled;
-  hooks.progress = [&](std::size_t, std::size_t) { cancelled = true; };
-  const std::vector<Execution> executions =
-      validate(worlds, shortBehavior(), randomGenomes(robot, 3, 1), fewTrials(), hooks);
-  ASSERT_EQ(executions.size(), 3u);
-  EXPECT_EQ(std::count_if(executions.begin(), executions.end(),
-                          [](const Execution& execution) { return execution.trials == 3; }),
-            1);
-  EXPECT_EQ(std::count_if(executions.begin(), executions.end(),
-                          [](const Execution& execution) { return execution.trials == 0; }),
-            2);
+  hooks.progress = [&](std::size_t done, std::size_t) {
+    EXPECT_EQ(done, 1u);
+    cancelled = true;
+  };
+  EXPECT_THROW(validate(worlds, shortBehavior(), randomGenomes(robot, 3, 1), fewTrials(), hooks),
+               EvaluationCancelled);
 }
 
 TEST(Validate, AcceptsAnEmptyListAndRefusesWrongOptions) {
-  WorldPool worlds(Engine::kOde, handMadeHexapod(), Physics(), 1);
+  const auto worlds = std::make_shared<WorldPool>(Engine::kOde, handMadeHexapod(), Physics(), 1);
   EXPECT_TRUE(validate(worlds, shortBehavior(), {}, fewTrials()).empty());
   ValidationOptions wrong = fewTrials();
   wrong.trials = 5;

@@ -162,26 +162,38 @@ TEST(ArchiveTournament, TakesTheBestAlignedOfTheEntriesAroundTheOneDrawn) {
   for (const Genome& genome : recorder.genomes) EXPECT_EQ(winners.count(genome), 1u);
 }
 
-TEST(NoveltyRefinement, LowersTheThresholdWhenFewAreAddedAndStopsAtItsMinimum) {
+TEST(NoveltyDecay, LowersTheThresholdWithTheCandidatesEvaluatedAndStopsAtItsMinimum) {
   AnalyticEvaluator evaluator(7, kGenes);
   EvolutionOptions options;
-  options.novelty_refinement = 0.5;
+  options.novelty_decay = 0.5;
+  options.novelty_decay_from = 1600;
   options.novelty_threshold_min_m = 0.04;
   BrEvolution refined(options, kGenes, Random(5));
   BrEvolution coarse({}, kGenes, Random(5));
-  double threshold_m = refined.noveltyThreshold();
-  EXPECT_EQ(threshold_m, 0.10);
   for (int generation = 0; generation < 150; ++generation) {
-    const std::int64_t added = refined.counters().added;
     advance(refined, evaluator);
     advance(coarse, evaluator);
-    const bool few = refined.counters().added - added < 2;
-    EXPECT_EQ(refined.noveltyThreshold(), few ? std::max(0.04, threshold_m * 0.5) : threshold_m);
-    threshold_m = refined.noveltyThreshold();
+    const std::int64_t evaluations = refined.counters().evaluations;
+    const double decayed_m = 0.10 / std::sqrt(static_cast<double>(evaluations) / 1600.0);
+    EXPECT_NEAR(refined.noveltyThreshold(), std::clamp(decayed_m, 0.04, 0.10), 1e-12);
   }
-  EXPECT_EQ(threshold_m, 0.04);
+  EXPECT_EQ(refined.noveltyThreshold(), 0.04);
   EXPECT_EQ(coarse.noveltyThreshold(), 0.10);
   EXPECT_LT(metricsOf(refined).sparseness_m, metricsOf(coarse).sparseness_m);
+}
+
+TEST(Candidates, OfAGenerationMayBeMoreThanThePopulation) {
+  AnalyticEvaluator evaluator(7, kGenes);
+  EvolutionOptions options;
+  options.population_size = 20;
+  options.candidates = 50;
+  BrEvolution evolution(options, kGenes, Random(5));
+  for (int generation = 1; generation <= 3; ++generation) {
+    EXPECT_EQ(evolution.ask().genomes.size(), 50u);
+    advance(evolution, evaluator);
+    EXPECT_EQ(evolution.population().size(), 20u);
+    EXPECT_EQ(evolution.counters().evaluations, 50 * generation);
+  }
 }
 
 void expectOnlyFinalOutcomesInTheArchive(CarefulEvaluator& evaluator) {
@@ -215,7 +227,8 @@ TEST(AllOptionsBeyondThePaper, SurviveARestartAtAnyGeneration) {
   EvolutionOptions options = withTwins();
   options.archive_parents = 0.5;
   options.archive_tournament = 3;
-  options.novelty_refinement = 0.05;
+  options.novelty_decay = 0.5;
+  options.candidates = 130;
   const Task task(kGenes, evaluator.looks(), {leftRight()});
   BrEvolution undisturbed(options, task, Random(7));
   for (int generation = 0; generation < 25; ++generation) advance(undisturbed, evaluator);

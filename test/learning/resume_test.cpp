@@ -157,7 +157,8 @@ TEST_F(ResumeTest, ChecksAFinishedRunAgainWhenTold) {
     if (running.status().phase == LearningPhase::kValidating) ++validated;
   };
   ASSERT_TRUE(learn(options, hooks));
-  EXPECT_EQ(validated, static_cast<std::int64_t>(before.entries.size()));
+  EXPECT_EQ(validated,
+            options.validation_trials * static_cast<std::int64_t>(before.entries.size()));
   expectSameRun(loadRepertoire(options.repertoire_file), before);
 }
 

@@ -15,7 +15,9 @@ class RobustSession : public LearningFixture {
     options.evolution.novelty_threshold_m = 0.005;  // so short gaits do not lead far
     options.evolution.offer_twins = true;
     options.evolution.archive_parents = 0.5;
-    options.evolution.novelty_refinement = 0.05;
+    options.evolution.novelty_decay = 0.5;
+    options.evolution.novelty_decay_from = 10;
+    options.evolution.novelty_threshold_min_m = 0.001;
     options.robustness.perturbed_physics = 2;
     options.robustness.start_states = 1;
     return options;
@@ -88,7 +90,7 @@ TEST_F(RobustSession, KeepsNowAndThenWhatWouldBeLeftOfItInOtherWorlds) {
 TEST_F(RobustSession, WithoutAnyEntryEndsTellingWhatBecameOfTheCandidates) {
   LearnOptions options = robustRun("nothing.db");
   options.evolution.novelty_threshold_m = 5.0;
-  options.evolution.novelty_threshold_min_m = 5.0;
+  options.evolution.novelty_decay = 0.0;
   const std::string complaint = complaintOf([&] { learn(options); });
   EXPECT_TRUE(mentions(complaint, "Nothing was learned: of 60 candidates ")) << complaint;
   EXPECT_TRUE(mentions(complaint, "none to a new place")) << complaint;

@@ -25,8 +25,8 @@ std::vector<Genome> someGenomes() {
 }
 
 TEST_F(VerifyTest, FindsTheEnginesInAgreementWithAnyNumberOfThreads) {
-  WorldPool one(Engine::kReduced, robot_, Physics(), 1),
-      two(Engine::kReduced, robot_, Physics(), 2);
+  const auto one = std::make_shared<WorldPool>(Engine::kReduced, robot_, Physics(), 1);
+  const auto two = std::make_shared<WorldPool>(Engine::kReduced, robot_, Physics(), 2);
   const Verification expected = verifyInOde(one, brief(), someGenomes());
   const Verification verification = verifyInOde(two, brief(), someGenomes());
   EXPECT_EQ(expected.holds, std::vector<bool>(4, true));
@@ -48,12 +48,12 @@ TEST(Verify, ToleratesATenthOfAMillimetreAndAMilliradianAndNoOtherVerdict) {
 }
 
 TEST_F(VerifyTest, BeginsNothingOnceCancelled) {
-  WorldPool pool(Engine::kReduced, robot_, Physics(), 1);
+  const auto pool = std::make_shared<WorldPool>(Engine::kReduced, robot_, Physics(), 1);
   const std::atomic<bool> cancelled{true};
-  VerificationHooks hooks;
+  PlayHooks hooks;
   hooks.cancelled = &cancelled;
   hooks.progress = [](std::size_t, std::size_t) { FAIL(); };
-  verifyInOde(pool, brief(), someGenomes(), hooks);
+  EXPECT_THROW(verifyInOde(pool, brief(), someGenomes(), hooks), EvaluationCancelled);
 }
 
 TEST_F(VerifyTest, IsRecordedInTheFile) {
@@ -76,6 +76,19 @@ TEST_F(VerifyTest, IsRecordedInTheFile) {
   EXPECT_LT(doubleFromText(repertoire.facts.at("largest_difference_m")).value(), 1e-7);
   EXPECT_LT(doubleFromText(repertoire.facts.at("largest_difference_rad")).value(), 1e-6);
   EXPECT_EQ(std::to_string(seen), count);
+}
+
+TEST_F(VerifyTest, ReplaysASampleOnlyWhereThatHolds) {
+  LearnOptions options = smallRun("a.db");
+  options.verify_with_ode = true;
+  options.verification_sample = 2;
+  options.behavior.gait_duration_s = 0.3;
+  options.evolution.novelty_threshold_m = 0.02;
+  ASSERT_TRUE(learn(options));
+  const Repertoire repertoire = loadRepertoire(options.repertoire_file);
+  EXPECT_GT(repertoire.entries.size(), 2u);
+  EXPECT_EQ(repertoire.facts.at("verified_entries"), "2");
+  EXPECT_EQ(repertoire.facts.at("dropped_entries"), "0");
 }
 
 TEST_F(VerifyTest, LeavesTheDroppedEntriesInTheCheckpoint) {

@@ -17,11 +17,12 @@ bool divergesWithin(int most_solver_rounds) {
   const RobotDescription robot = handMadeHexapod();
   reduced::ReducedModel model = reduced::makeModel(robot, Physics());
   model.most_solver_rounds = most_solver_rounds;
-  const std::unique_ptr<reduced::Stepper> stepper(reduced::makeScalarStepper(model));
+  const std::unique_ptr<reduced::Stepper> stepper(
+      reduced::makeScalarStepper(model, reduced::conditionsOf(robot, Physics(), Physics().step_s)));
   stepper->load(0, ReducedWorld(robot, Physics()).state().values.data());
   const std::vector<double> far(robot.jointCount(), 1.0);
   stepper->setTargets(0, far.data());
-  stepper->advance(Physics().step_s);
+  stepper->advance();
   return stepper->findings(0).diverged;
 }
 

@@ -35,7 +35,7 @@ LearningStatus validating(std::int64_t validated) {
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
             "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 4 s left");
-  EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 entries.");
+  EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 executions.");
 }
 
 TEST(LearningReport, LeavesOutTheMetricsUntilThereAreSome) {

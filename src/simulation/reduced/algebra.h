@@ -99,14 +99,14 @@ inline Vec3<Real> operator*(const Sym3<Real>& m, const Vec3<Real>& v) {
 
 /// scale * v v^T.
 template <typename Real>
-inline Sym3<Real> outerSquare(double scale, const Vec3<Real>& v) {
+inline Sym3<Real> outerSquare(const Real& scale, const Vec3<Real>& v) {
   const Vec3<Real> s = scale * v;
   return {s.x * v.x, s.y * v.y, s.z * v.z, s.x * v.y, s.x * v.z, s.y * v.z};
 }
 
 /// mass (|v|^2 1 - v v^T): what moving the reference point by v adds to an inertia.
 template <typename Real>
-inline Sym3<Real> steiner(double mass, const Vec3<Real>& v) {
+inline Sym3<Real> steiner(const Real& mass, const Vec3<Real>& v) {
   const Vec3<Real> s = mass * v;
   const Real xx = s.x * v.x, yy = s.y * v.y, zz = s.z * v.z;
   return {yy + zz, xx + zz, xx + yy, -(s.x * v.y), -(s.x * v.z), -(s.y * v.z)};

@@ -3,8 +3,8 @@
 
 namespace hexapod::reduced {
 
-Stepper* makeAvx2Stepper(const ReducedModel& model) {
-  return makeStepper<Lanes<kAvx2Lanes>>(model);
+Stepper* makeAvx2Stepper(const ReducedModel& model, const Conditions<double>& conditions) {
+  return makeStepper<Lanes<kAvx2Lanes>>(model, conditions);
 }
 
 }  // namespace hexapod::reduced

@@ -3,8 +3,8 @@
 
 namespace hexapod::reduced {
 
-Stepper* makeAvx512Stepper(const ReducedModel& model) {
-  return makeStepper<Lanes<kAvx512Lanes>>(model);
+Stepper* makeAvx512Stepper(const ReducedModel& model, const Conditions<double>& conditions) {
+  return makeStepper<Lanes<kAvx512Lanes>>(model, conditions);
 }
 
 }  // namespace hexapod::reduced

@@ -3,8 +3,8 @@
 
 namespace hexapod::reduced {
 
-Stepper* makeBaselineStepper(const ReducedModel& model) {
-  return makeStepper<Lanes<kBaselineLanes>>(model);
+Stepper* makeBaselineStepper(const ReducedModel& model, const Conditions<double>& conditions) {
+  return makeStepper<Lanes<kBaselineLanes>>(model, conditions);
 }
 
 }  // namespace hexapod::reduced

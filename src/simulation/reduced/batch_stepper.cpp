@@ -45,7 +45,9 @@ std::vector<InstructionSet> availableInstructionSets() {
 
 InstructionSet bestInstructionSet() { return availableInstructionSets().back(); }
 
-std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model, InstructionSet instructions) {
+std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model,
+                                          const Conditions<double>& conditions,
+                                          InstructionSet instructions) {
   const std::vector<InstructionSet> available = availableInstructionSets();
   if (std::find(available.begin(), available.end(), instructions) == available.end()) {
     throw std::invalid_argument("This machine or build has no " + toString(instructions) +
@@ -53,13 +55,13 @@ std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model, Instruction
   }
 #ifdef HEXAPOD_X86_KERNELS
   if (instructions == InstructionSet::kAvx512) {
-    return std::unique_ptr<Stepper>(makeAvx512Stepper(model));
+    return std::unique_ptr<Stepper>(makeAvx512Stepper(model, conditions));
   }
   if (instructions == InstructionSet::kAvx2) {
-    return std::unique_ptr<Stepper>(makeAvx2Stepper(model));
+    return std::unique_ptr<Stepper>(makeAvx2Stepper(model, conditions));
   }
 #endif
-  return std::unique_ptr<Stepper>(makeBaselineStepper(model));
+  return std::unique_ptr<Stepper>(makeBaselineStepper(model, conditions));
 }
 
 }  // namespace hexapod::reduced

@@ -24,7 +24,10 @@ std::vector<InstructionSet> availableInstructionSets();
 InstructionSet bestInstructionSet();
 
 /// A stepper of as many robots as a register of the instruction set holds: 2, 4 or 8. The model
-/// must outlive it. Throws std::invalid_argument when the instruction set is not available.
-std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model, InstructionSet instructions);
+/// must outlive it; `conditions` as those of makeScalarStepper(). Throws std::invalid_argument when
+/// the instruction set is not available.
+std::unique_ptr<Stepper> makeBatchStepper(const ReducedModel& model,
+                                          const Conditions<double>& conditions,
+                                          InstructionSet instructions);
 
 }  // namespace hexapod::reduced

@@ -37,8 +37,9 @@ inline void couple(const LegTerms<Real, kSegments>& leg, FloorContact<Real, kSeg
 }
 
 template <typename Real, int kSegments>
-inline void addContact(const ReducedModel& model, const FloorSphere& sphere, double step,
-                       const Vec3<Real>& to_center, const Vec3<Real>& arm, const Real& depth,
+inline void addContact(const ReducedModel& model, const FloorSphere& sphere,
+                       const Conditions<Real>& conditions, const Vec3<Real>& to_center,
+                       const Vec3<Real>& arm, const Real& depth,
                        const TreeTerms<Real, kSegments>& tree,
                        FloorContacts<Real, kSegments>& contacts) {
   FloorContact<Real, kSegments>& contact = contacts.contact[contacts.count++];
@@ -49,7 +50,7 @@ inline void addContact(const ReducedModel& model, const FloorSphere& sphere, dou
   contact.arm.z = contact.arm.z - sphere.radius;
   const Real limit = splat<Real>(model.max_correcting_velocity);
   contact.wanted = zeroVec3<Real>();
-  contact.wanted.z = smaller<Real>((model.soft_erp / step) * depth, limit);
+  contact.wanted.z = smaller<Real>(conditions.soft_rate * depth, limit);
   contact.impulse = zeroVec3<Real>();
   contact.friction_bound = Real();
   if (sphere.leg >= 0) {
@@ -62,8 +63,8 @@ inline void addContact(const ReducedModel& model, const FloorSphere& sphere, dou
 
 /// All spheres at or below the floor at the poses the step starts from (7).
 template <typename Real, int kSegments>
-inline void findContacts(const ReducedModel& model, const State<Real>& state, double step,
-                         const TreeTerms<Real, kSegments>& tree,
+inline void findContacts(const ReducedModel& model, const Conditions<Real>& conditions,
+                         const State<Real>& state, const TreeTerms<Real, kSegments>& tree,
                          FloorContacts<Real, kSegments>& contacts) {
   contacts.count = 0;
   contacts.base_touches = noLanes<Real>();
@@ -78,7 +79,7 @@ inline void findContacts(const ReducedModel& model, const State<Real>& state, do
     const Real up = axes.x.z * center.x + axes.y.z * center.y + axes.z.z * center.z;
     const Real depth = sphere.radius - (body.position.z + up);
     if (!any<Real>(depth >= 0.0)) continue;
-    addContact(model, sphere, step, axes * center, placement.arm, depth, tree, contacts);
+    addContact(model, sphere, conditions, axes * center, placement.arm, depth, tree, contacts);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "simulation/reduced/conditions.h"
 #include "simulation/reduced/kinematics.h"
 
 namespace hexapod::reduced {
@@ -7,7 +8,7 @@ namespace hexapod::reduced {
 /// Inertia of one or several bodies about O (4): mass, first moment, second moment.
 template <typename Real>
 struct Inertia {
-  double mass;         ///< [kg]
+  Real mass;           ///< [kg]
   Vec3<Real> moment;   ///< sum of m rho [kg m]
   Sym3<Real> angular;  ///< [kg m^2]
 };
@@ -24,14 +25,15 @@ inline Spatial<Real> operator*(const Inertia<Real>& inertia, const Spatial<Real>
           inertia.mass * motion.linear - cross(inertia.moment, motion.angular)};
 }
 
-/// Inertia about the centre of mass, in world axes.
+/// Inertia about the centre of mass, in world axes, with `scale` times the body's own.
 template <typename Real>
-inline Sym3<Real> worldInertia(const BodyModel& body, const Rotation<Real>& world_from_body) {
-  const Real round = splat<Real>(body.round_inertia);
+inline Sym3<Real> worldInertia(const BodyModel& body, const Real& scale,
+                               const Rotation<Real>& world_from_body) {
+  const Real round = body.round_inertia * scale;
   Sym3<Real> inertia{round, round, round, Real(), Real(), Real()};
   for (const BodyModel::AxisTerm* term : {&body.first, &body.second}) {
     if (term->scale == 0.0) continue;
-    inertia = inertia + outerSquare(term->scale, world_from_body * term->axis);
+    inertia = inertia + outerSquare(Real(term->scale * scale), world_from_body * term->axis);
   }
   return inertia;
 }
@@ -40,7 +42,7 @@ inline Sym3<Real> worldInertia(const BodyModel& body, const Rotation<Real>& worl
 /// h L x w', where (I - h [L]x) w' = L.
 template <typename Real>
 inline Vec3<Real> gyroscopicImpulse(const Sym3<Real>& inertia, const Vec3<Real>& momentum,
-                                    double step) {
+                                    const Real& step) {
   const Vec3<Real> l = step * momentum;
   const Vec3<Real> first{inertia.xx, inertia.xy - l.z, inertia.xz + l.y};
   const Vec3<Real> second{inertia.xy + l.z, inertia.yy, inertia.yz - l.x};
@@ -55,20 +57,20 @@ inline Vec3<Real> gyroscopicImpulse(const Sym3<Real>& inertia, const Vec3<Real>&
 /// What a body brings into the equations (4): its inertia about O, and the momentum it would have
 /// without hinges and contacts at the end of the step, less what the corrections take.
 template <typename Real>
-inline void bodyTerms(const ReducedModel& model, const BodyModel& body,
+inline void bodyTerms(const BodyModel& body, const Conditions<Real>& conditions,
                       const BodyState<Real>& state, const Placement<Real>& placement,
-                      const Spatial<Real>& correction, double step, Inertia<Real>& inertia,
+                      const Spatial<Real>& correction, Inertia<Real>& inertia,
                       Spatial<Real>& momentum) {
   const Vec3<Real>& arm = placement.arm;
-  const Sym3<Real> about_center = worldInertia(body, placement.world_from_body);
-  inertia = {body.mass, body.mass * arm, about_center + steiner(body.mass, arm)};
+  const Real mass = body.mass * conditions.mass_scale;
+  const Sym3<Real> about_center =
+      worldInertia(body, conditions.mass_scale, placement.world_from_body);
+  inertia = {mass, mass * arm, about_center + steiner(mass, arm)};
 
   const Vec3<Real> spin = about_center * state.rate;
-  const Vec3<double>& gravity = model.gravity;
-  const Vec3<Real> falling{state.velocity.x + step * gravity.x, state.velocity.y + step * gravity.y,
-                           state.velocity.z + step * gravity.z};
-  momentum.linear = body.mass * (falling - velocityAt(correction, arm));
-  momentum.angular = spin + gyroscopicImpulse(about_center, spin, step) -
+  const Vec3<Real> falling = state.velocity + conditions.fall;
+  momentum.linear = mass * (falling - velocityAt(correction, arm));
+  momentum.angular = spin + gyroscopicImpulse(about_center, spin, conditions.step) -
                      about_center * correction.angular + cross(arm, momentum.linear);
 }
 

@@ -32,8 +32,8 @@ inline Placement<Real> place(const BodyState<Real>& base) {
 /// joint_erp / h, to that of the parent.
 template <typename Real>
 inline void placeSegment(const JointModel& joint, const BodyState<Real>& parent_state,
-                         const Placement<Real>& parent, const BodyState<Real>& state, double rate,
-                         Placement<Real>& placement, Hinge<Real>& hinge,
+                         const Placement<Real>& parent, const BodyState<Real>& state,
+                         const Real& rate, Placement<Real>& placement, Hinge<Real>& hinge,
                          Spatial<Real>& correction) {
   placement.world_from_body = rotationOf(state.rotation);
   const Vec3<Real> from_parent = parent.world_from_body * joint.parent_anchor;

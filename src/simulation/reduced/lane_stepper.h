@@ -13,7 +13,9 @@ namespace hexapod::reduced {
 template <typename Real, int kSegments>
 class LaneStepper final : public Stepper {
  public:
-  explicit LaneStepper(const ReducedModel& model) : model_(model), state_() {
+  LaneStepper(const ReducedModel& model, const Conditions<double>& conditions)
+      : model_(model), state_() {
+    for (int lane = 0; lane < lanes(); ++lane) LaneStepper::setConditions(lane, conditions);
     work_.clearance.forget();
     // A robot far from everything, so that unused lanes compute something finite.
     state_.base.rotation.w = splat<Real>(1.0);
@@ -22,7 +24,7 @@ class LaneStepper final : public Stepper {
     }
   }
 
-  int lanes() const override { return kLanesIn<Real>; }
+  int lanes() const final { return kLanesIn<Real>; }
 
   void load(int lane, const double* values) override {
     forEachValue(model_, state_, [&](Real& value) { setLane(value, lane, *values++); });
@@ -41,9 +43,11 @@ class LaneStepper final : public Stepper {
     }
   }
 
-  void advance(double step_s) override {
-    findings_ = reduced::advance(model_, step_s, work_, state_);
+  void setConditions(int lane, const Conditions<double>& conditions) override {
+    forEachPair(conditions_, conditions, [&](Real& value, double to) { setLane(value, lane, to); });
   }
+
+  void advance() override { findings_ = reduced::advance(model_, conditions_, work_, state_); }
 
   LaneFindings findings(int lane) const override {
     return {inLane<Real>(findings_.fell, lane), inLane<Real>(findings_.collided, lane),
@@ -67,20 +71,21 @@ class LaneStepper final : public Stepper {
   static constexpr int kStateValues = 13;
 
   const ReducedModel& model_;
+  Conditions<Real> conditions_;
   State<Real> state_;
   StepWorkspace<Real, kSegments> work_;
   StepFindings<Real> findings_;
 };
 
 template <typename Real>
-inline Stepper* makeStepper(const ReducedModel& model) {
+inline Stepper* makeStepper(const ReducedModel& model, const Conditions<double>& conditions) {
   switch (model.segments) {
     case 2:
-      return new LaneStepper<Real, 2>(model);
+      return new LaneStepper<Real, 2>(model, conditions);
     case 3:
-      return new LaneStepper<Real, 3>(model);
+      return new LaneStepper<Real, 3>(model, conditions);
     default:
-      return new LaneStepper<Real, 4>(model);
+      return new LaneStepper<Real, 4>(model, conditions);
   }
 }
 

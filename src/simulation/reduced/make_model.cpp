@@ -17,6 +17,7 @@ constexpr double kMaxJointCfm = 1e-7;    // of hinges and motors: they are rigid
 
 // Of segments that are not there: lost in the rounding of everything else, but not 0 / 0.
 constexpr double kNoInertia_kg_m2 = 1e-30;
+constexpr double kPaddingTorque_nm = 1.0;
 
 Vec3<double> vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
@@ -52,19 +53,18 @@ JointModel makeJoint(const Joint& joint, const Body& parent, const Body& child) 
   made.child_from_parent = {turn.w(), turn.x(), turn.y(), turn.z()};
   made.lower = joint.lower_rad;
   made.upper = joint.upper_rad;
-  made.max_torque = joint.max_torque_nm;
   made.max_velocity = joint.max_velocity_rad_per_s;
   return made;
 }
 
-// A hinge of a segment that its leg does not have. Its motor never feels anything.
+// A hinge of a segment that its leg does not have. Its motor, of kPaddingTorque_nm, never feels
+// anything.
 JointModel padding() {
   JointModel made;
   made.parent_axis = made.child_axis = {0.0, 0.0, 1.0};
   made.child_from_parent = {1.0, 0.0, 0.0, 0.0};
   made.lower = -1.0;
   made.upper = 1.0;
-  made.max_torque = 1.0;
   made.max_velocity = 1.0;
   return made;
 }
@@ -130,16 +130,12 @@ void addReach(const Leg& leg, int index, ReducedModel& model) {
   }
 }
 
-void addContact(const RobotDescription& robot, ReducedModel& model) {
-  model.servo_gain = robot.servo.gain_per_s;
+void addBounds(const RobotDescription& robot, ReducedModel& model) {
   model.servo_dead_zone = robot.servo.dead_zone_rad_per_s;
-  model.friction = robot.contact.friction;
-  model.slip = robot.contact.slip_per_n_s;
-  model.soft_erp = robot.contact.soft_erp;
-  model.soft_cfm = robot.contact.soft_cfm;
   model.max_correcting_velocity = robot.contact.max_correcting_velocity_m_per_s;
-  model.joint_erp = robot.contact.joint_erp;
   model.max_base_height = robot.failure.max_base_height_m;
+  model.absurd_speed = kAbsurdSpeed_m_per_s;
+  model.absurd_rate = kAbsurdRate_rad_per_s;
 }
 
 std::string legProblem(const RobotDescription& robot) {
@@ -203,7 +199,10 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
   const std::string reason = whyNotCovered(robot);
   if (!reason.empty()) throw std::invalid_argument(reason);
   checkPhysics(physics);
-  const RobotDescription scaled = underPhysics(robot, physics);
+  // Mass is of the conditions: a body's axes shall not depend on it, not even by rounding.
+  Physics of_unit_mass = physics;
+  of_unit_mass.mass_scale = 1.0;
+  const RobotDescription scaled = underPhysics(robot, of_unit_mass);
   ReducedModel model;
   model.legs = static_cast<int>(scaled.legs.size());
   model.segments = kMinSegments;
@@ -213,10 +212,7 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
   }
   model.base = makeBody(scaled.base);
   model.base_origin = vec3(-scaled.base.center_of_mass_m);
-  model.gravity = vec3(gravityOnFloor(physics));
-  model.absurd_speed = kAbsurdSpeed_m_per_s;
-  model.absurd_rate = kAbsurdRate_rad_per_s;
-  addContact(scaled, model);
+  addBounds(scaled, model);
   addSpheres(floorSpheres(scaled.base, -1, 0), model);
   for (int leg = 0; leg < model.legs; ++leg) {
     const Body* parent = &scaled.base;
@@ -236,6 +232,31 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
     model.first_capsule[leg + 1] = model.capsules;
   }
   return model;
+}
+
+Conditions<double> conditionsOf(const RobotDescription& robot, const Physics& physics,
+                                double step_s) {
+  const RobotDescription scaled = underPhysics(robot, physics);
+  const Eigen::Vector3d gravity = gravityOnFloor(physics);
+  Conditions<double> conditions;
+  conditions.step = step_s;
+  conditions.mass_scale = physics.mass_scale;
+  conditions.friction = scaled.contact.friction;
+  conditions.servo_gain = scaled.servo.gain_per_s;
+  conditions.fall = {step_s * gravity.x(), step_s * gravity.y(), step_s * gravity.z()};
+  conditions.joint_rate = scaled.contact.joint_erp / step_s;
+  conditions.soft_rate = scaled.contact.soft_erp / step_s;
+  // A row's compliance is cfm / h.
+  conditions.normal_weight = step_s / scaled.contact.soft_cfm;
+  conditions.friction_weight = step_s / scaled.contact.slip_per_n_s;
+  for (std::size_t leg = 0; leg < scaled.legs.size(); ++leg) {
+    double* impulse = conditions.max_impulse[leg];
+    std::fill_n(impulse, kMaxSegments, step_s * kPaddingTorque_nm);
+    for (const Segment& segment : scaled.legs[leg].segments) {
+      *impulse++ = step_s * segment.joint.max_torque_nm;
+    }
+  }
+  return conditions;
 }
 
 Eigen::Isometry3d worldFromBase(const ReducedModel& model, const double* v) {

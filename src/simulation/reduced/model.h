@@ -29,7 +29,6 @@ struct JointModel {
   Vec3<double> parent_axis{}, child_axis{};      ///< unit
   Quaternion<double> child_from_parent{};        ///< at angle 0
   double lower = 0.0, upper = 0.0;               ///< stops [rad]
-  double max_torque = 0.0;                       ///< [N m]
   double max_velocity = 0.0;                     ///< [rad/s]
   double reach = 0.0;  ///< [m] of the farthest point from here outwards, whatever the angles
 };
@@ -50,8 +49,9 @@ struct LegCapsule {
   double half_length = 0.0, radius = 0.0;  ///< [m]
 };
 
-/// Everything about one robot under one physics that does not change: plain numbers, shared by all
-/// threads. Symbols in brackets are those of doc/reduced_dynamics.md.
+/// Everything about one robot that does not change, under whatever physics its legs are in the same
+/// states: plain numbers, shared by all threads. What physics change is in Conditions. Symbols in
+/// brackets are those of doc/reduced_dynamics.md.
 struct ReducedModel {
   int legs = 0;
   int segments = 0;  ///< of the longest leg
@@ -67,18 +67,12 @@ struct ReducedModel {
   LegCapsule capsule[kMaxCapsules];  ///< leg by leg
   int first_capsule[kMaxLegs + 1] = {};
 
-  Vec3<double> gravity{};        ///< [m/s^2] in the frame of the floor
-  double servo_gain = 0.0;       ///< [1/s]
-  double servo_dead_zone = 0.0;  ///< [rad/s]
-  double friction = 0.0;         ///< [mu]
-  double slip = 0.0;             ///< [m/(N s)]
-  double soft_erp = 0.0, soft_cfm = 0.0;
+  double servo_dead_zone = 0.0;          ///< [rad/s]
   double max_correcting_velocity = 0.0;  ///< [m/s]
-  double joint_erp = 0.0;
-  Vec3<double> base_origin{};    ///< of the link, from the centre of mass [m]
-  double max_base_height = 0.0;  ///< [m]
-  double absurd_speed = 0.0;     ///< [m/s]: beyond is diverged
-  double absurd_rate = 0.0;      ///< [rad/s]
+  Vec3<double> base_origin{};            ///< of the link, from the centre of mass [m]
+  double max_base_height = 0.0;          ///< [m]
+  double absurd_speed = 0.0;             ///< [m/s]: beyond is diverged
+  double absurd_rate = 0.0;              ///< [rad/s]
   /// Active sets the solver tries before it gives up; what it is left with then is no motion, and
   /// the robot is diverged.
   int most_solver_rounds = 200;

@@ -31,7 +31,8 @@ ReducedWorld::ReducedWorld(const RobotDescription& robot, const Physics& physics
       physics_(physics),
       held_(robot, physics),
       model_(std::make_unique<reduced::ReducedModel>(reduced::makeModel(robot, physics))),
-      stepper_(reduced::makeScalarStepper(*model_)) {
+      stepper_(reduced::makeScalarStepper(*model_,
+                                          reduced::conditionsOf(robot, physics, physics.step_s))) {
   if (settled != nullptr) {
     settled_ = *settled;
   } else {
@@ -44,13 +45,15 @@ ReducedWorld::ReducedWorld(const RobotDescription& robot, const Physics& physics
 ReducedWorld::~ReducedWorld() = default;
 
 void ReducedWorld::settle() {
+  stepper_->setConditions(0, reduced::conditionsOf(description_, physics_, kSettlingStep_s));
   restore(standingState(description_));
   setTargets(description_.neutralPose());
   const int steps = static_cast<int>(std::lround(kSettlingTime_s / kSettlingStep_s));
   for (int i = 1; i <= steps; ++i) {
-    const Verdict verdict = advance(kSettlingStep_s);
+    const Verdict verdict = step();
     if (verdict != Verdict::kWalked) throwDoesNotStand(description_, verdict, i * kSettlingStep_s);
   }
+  stepper_->setConditions(0, reduced::conditionsOf(description_, physics_, physics_.step_s));
 }
 
 WorldState ReducedWorld::state() const {
@@ -80,11 +83,9 @@ void ReducedWorld::setTargets(const std::vector<double>& targets_rad) {
   stepper_->setTargets(0, held_rad.data());
 }
 
-Verdict ReducedWorld::step() { return advance(physics_.step_s); }
-
-Verdict ReducedWorld::advance(double step_s) {
+Verdict ReducedWorld::step() {
   if (diverged_) return Verdict::kDiverged;
-  stepper_->advance(step_s);
+  stepper_->advance();
   const Verdict verdict = reduced::verdictOf(stepper_->findings(0));
   diverged_ = verdict == Verdict::kDiverged;
   return verdict;
@@ -113,7 +114,9 @@ void ReducedWorld::jointAngles(std::vector<double>& angles_rad) const {
 }
 
 BatchRollout& ReducedWorld::batch() {
-  if (!batch_) batch_ = std::make_unique<BatchRollout>(description_, physics_, settled_);
+  if (!batch_)
+    batch_ = std::make_unique<BatchRollout>(description_,
+                                            std::vector<BatchPhysics>{{physics_, settled_}});
   return *batch_;
 }
 

@@ -57,7 +57,6 @@ class ReducedWorld : public World {
 
  private:
   void settle();
-  Verdict advance(double step_s);
   std::size_t valueCount() const;
 
   RobotDescription description_;

@@ -4,6 +4,8 @@ namespace hexapod::reduced {
 
 Stepper::~Stepper() = default;
 
-Stepper* makeScalarStepper(const ReducedModel& model) { return makeStepper<double>(model); }
+Stepper* makeScalarStepper(const ReducedModel& model, const Conditions<double>& conditions) {
+  return makeStepper<double>(model, conditions);
+}
 
 }  // namespace hexapod::reduced

@@ -30,13 +30,12 @@ class Solver {
   using Contact = FloorContact<Real, kSegments>;
 
   /// Solves the step whose terms are in `tree`; `contacts` are its workspace and hold its sets.
-  void solve(const ReducedModel& model, double step, const Tree& tree, Contacts& contacts) {
+  void solve(const ReducedModel& model, const Conditions<Real>& conditions, const Tree& tree,
+             Contacts& contacts) {
     model_ = &model;
+    conditions_ = &conditions;
     tree_ = &tree;
     contacts_ = &contacts;
-    // A row's compliance is cfm / h, so its impulse [N s] per lacking velocity [m/s]:
-    normal_weight_ = splat<Real>(step / model.soft_cfm);
-    friction_weight_ = splat<Real>(step / model.slip);
     start();
     solveRows(false);
     boundFriction();
@@ -94,8 +93,8 @@ class Solver {
     for (int i = 0; i < contacts_->count; ++i) {
       Contact& contact = contacts_->contact[i];
       const Real velocity = velocityAt(motion_, contact.arm).z + deviatingVelocity(contact).z;
-      const Real normal = normal_weight_ * (contact.wanted.z - velocity);
-      contact.friction_bound = select<Real>(contact.free_z, model_->friction * normal, Real());
+      const Real normal = conditions_->normal_weight * (contact.wanted.z - velocity);
+      contact.friction_bound = select<Real>(contact.free_z, conditions_->friction * normal, Real());
       contact.free_x = contact.free_y = contact.touching & (contact.friction_bound > 0.0);
     }
   }
@@ -127,11 +126,11 @@ class Solver {
     const auto weight = [&](const Mask<Real>& free, const Real& of_row) {
       return select<Real>(free, of_row, zero);
     };
-    Vec3<Real> weights{zero, zero, weight(contact.free_z, normal_weight_)};
+    Vec3<Real> weights{zero, zero, weight(contact.free_z, conditions_->normal_weight)};
     Vec3<Real> impulse{zero, zero, weights.z * contact.wanted.z};
     if (friction) {
-      weights.x = weight(contact.free_x, friction_weight_);
-      weights.y = weight(contact.free_y, friction_weight_);
+      weights.x = weight(contact.free_x, conditions_->friction_weight);
+      weights.y = weight(contact.free_y, conditions_->friction_weight);
       impulse.x = weights.x * contact.wanted.x + contact.impulse.x;
       impulse.y = weights.y * contact.wanted.y + contact.impulse.y;
       base_.addPoint(weights, contact.arm, impulse);
@@ -194,8 +193,9 @@ class Solver {
       Contact& contact = contacts_->contact[i];
       const Vec3<Real> lacking =
           contact.wanted - velocityAt(motion_, contact.arm) - deviatingVelocity(contact);
-      const Vec3<Real> trial{friction_weight_ * lacking.x, friction_weight_ * lacking.y,
-                             normal_weight_ * lacking.z};
+      const Vec3<Real> trial{conditions_->friction_weight * lacking.x,
+                             conditions_->friction_weight * lacking.y,
+                             conditions_->normal_weight * lacking.z};
       const Vec3<Real> impulse{select<Real>(contact.free_x, trial.x, contact.impulse.x),
                                select<Real>(contact.free_y, trial.y, contact.impulse.y),
                                select<Real>(contact.free_z, trial.z, Real())};
@@ -240,9 +240,9 @@ class Solver {
   }
 
   const ReducedModel* model_;
+  const Conditions<Real>* conditions_;
   const Tree* tree_;
   Contacts* contacts_;
-  Real normal_weight_, friction_weight_;
   LegRows<Real, kSegments> rows_[kMaxLegs];
   LegSystem<Real, kSegments> legs_[kMaxLegs];
   Real load_[kMaxLegs][kSegments];  // of contacts on hinges [N m s]

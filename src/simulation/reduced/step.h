@@ -24,9 +24,9 @@ struct StepWorkspace {
 
 /// Positions with the new velocities, as ODE's dxStepBody: q += h/2 (0, w) q, normalised (9).
 template <typename Real>
-inline void integrate(double step, BodyState<Real>& body) {
+inline void integrate(const Real& step, BodyState<Real>& body) {
   body.position = body.position + step * body.velocity;
-  const Vec3<Real> half = (0.5 * step) * body.rate;
+  const Vec3<Real> half = Real(0.5 * step) * body.rate;
   const Quaternion<Real> q = body.rotation;
   const Quaternion<Real> moved{q.w - (half.x * q.x + half.y * q.y + half.z * q.z),
                                q.x + (half.x * q.w + half.y * q.z - half.z * q.y),
@@ -39,7 +39,7 @@ inline void integrate(double step, BodyState<Real>& body) {
 
 /// Velocities of all bodies from those of base and joints, and with them the new positions (9).
 template <typename Real, int kSegments>
-inline void moveBodies(const ReducedModel& model, double step,
+inline void moveBodies(const ReducedModel& model, const Real& step,
                        const StepWorkspace<Real, kSegments>& work, State<Real>& state) {
   const Spatial<Real>& base = work.solver.baseMotion();
   state.base.velocity = base.linear;
@@ -62,7 +62,7 @@ inline void moveBodies(const ReducedModel& model, double step,
 
 /// Bound on how far any point of each leg moves relative to the base in this step [m].
 template <typename Real, int kSegments>
-inline void useClearance(const ReducedModel& model, double step,
+inline void useClearance(const ReducedModel& model, const Real& step,
                          StepWorkspace<Real, kSegments>& work) {
   // Steps are straight, joints turn: a few per cent more; gaps of the joints close slowly.
   constexpr double kMore = 1.25, kGaps = 5e-5;
@@ -71,7 +71,7 @@ inline void useClearance(const ReducedModel& model, double step,
     travel[i] = splat<Real>(kGaps);
     for (int s = 0; s < kSegments; ++s) {
       const Real velocity = work.tree.leg[i].velocity[s] + work.solver.deviation(i, s);
-      travel[i] = travel[i] + (kMore * step * model.joints[i][s].reach) * magnitude(velocity);
+      travel[i] = travel[i] + kMore * step * model.joints[i][s].reach * magnitude(velocity);
     }
   }
   work.clearance.use(model, travel);
@@ -96,20 +96,21 @@ inline Mask<Real> absurd(const ReducedModel& model, const State<Real>& state) {
   return notMask<Real>(good);
 }
 
-/// One step of `step` [s]: what OdeWorld::step() does, in the same order (doc, "Order of a step").
+/// One step, in each lane as long as its conditions say: what OdeWorld::step() does, in the same
+/// order (doc, "Order of a step").
 template <typename Real, int kSegments>
-inline StepFindings<Real> advance(const ReducedModel& model, double step,
+inline StepFindings<Real> advance(const ReducedModel& model, const Conditions<Real>& conditions,
                                   StepWorkspace<Real, kSegments>& work, State<Real>& state) {
   StepFindings<Real> findings;
-  assembleTree(model, state, step, work.tree);
-  findContacts(model, state, step, work.tree, work.contacts);
+  assembleTree(model, conditions, state, work.tree);
+  findContacts(model, conditions, state, work.tree, work.contacts);
   const Rotation<Real>& axes = work.tree.base.world_from_body;
   const Real height = state.base.position.z + (axes * model.base_origin).z;
   findings.fell = work.contacts.base_touches | notMask<Real>(height <= model.max_base_height);
   findings.collided = work.clearance.touching(model, state, work.tree);
-  work.solver.solve(model, step, work.tree, work.contacts);
-  moveBodies(model, step, work, state);
-  useClearance(model, step, work);
+  work.solver.solve(model, conditions, work.tree, work.contacts);
+  moveBodies(model, conditions.step, work, state);
+  useClearance(model, conditions.step, work);
   findings.diverged = absurd(model, state) | work.solver.gaveUp();
   return findings;
 }

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "simulation/reduced/model.h"
+#include "simulation/reduced/conditions.h"
 
 namespace hexapod::reduced {
 
@@ -11,7 +11,8 @@ struct LaneFindings {
   bool diverged = false;
 };
 
-/// One or several robots of the same model stepped together, one per lane. Nothing passes between
+/// One or several robots of the same model stepped together, one per lane, each under conditions of
+/// its own. Nothing passes between
 /// lanes: a robot gets the same bits in every lane of every stepper. Not thread-safe.
 class Stepper {
  public:
@@ -26,14 +27,18 @@ class Stepper {
   /// Targets [rad] in joint order.
   virtual void setTargets(int lane, const double* targets_rad) = 0;
 
-  /// Advances all lanes.
-  virtual void advance(double step_s) = 0;
+  /// Under what a lane is stepped from now on.
+  virtual void setConditions(int lane, const Conditions<double>& conditions) = 0;
+
+  /// Advances all lanes, each by its own step.
+  virtual void advance() = 0;
 
   /// Of the last advance().
   virtual LaneFindings findings(int lane) const = 0;
 };
 
-/// The stepper of a single robot. The model must outlive it. The caller owns the result.
-Stepper* makeScalarStepper(const ReducedModel& model);
+/// The stepper of a single robot. The model must outlive it; `conditions` are those of all lanes
+/// until others are set. The caller owns the result.
+Stepper* makeScalarStepper(const ReducedModel& model, const Conditions<double>& conditions);
 
 }  // namespace hexapod::reduced

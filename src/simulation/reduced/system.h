@@ -45,7 +45,7 @@ struct BaseSystem : SymmetricSystem<Real, 6> {
   /// Starts with the inertia of the robot and its momentum.
   void reset(const Inertia<Real>& inertia, const Spatial<Real>& momentum) {
     const Sym3<Real>& i = inertia.angular;
-    const Real mass = splat<Real>(inertia.mass);
+    const Real& mass = inertia.mass;
     setAngular({i.xx, i.yy, i.zz, i.xy, i.xz, i.yz});
     auto& a = this->a;
     const Vec3<Real>& h = inertia.moment;

@@ -30,14 +30,15 @@ struct TreeTerms {
 
 /// The servo as a motor row, or the stop when the angle is beyond one (6, ODE's addLimot).
 template <typename Real, int kSegments>
-inline void driveHinge(const ReducedModel& model, const JointModel& joint, const Real& target,
-                       double step, int s, LegTerms<Real, kSegments>& leg) {
+inline void driveHinge(const ReducedModel& model, const Conditions<Real>& conditions, int index,
+                       int s, const Real& target, LegTerms<Real, kSegments>& leg) {
+  const JointModel& joint = model.joints[index][s];
   const Real& angle = leg.hinge[s].angle;
-  const Real wanted = model.servo_gain * (target - angle);
+  const Real wanted = conditions.servo_gain * (target - angle);
   const Real limit = splat<Real>(joint.max_velocity);
   Real velocity = smaller<Real>(larger<Real>(wanted, -limit), limit);
   velocity = select<Real>(magnitude(wanted) < model.servo_dead_zone, Real(), velocity);
-  const Real impulse = splat<Real>(step * joint.max_torque);
+  const Real& impulse = conditions.max_impulse[index][s];
   leg.velocity[s] = velocity;
   leg.low[s] = -impulse;
   leg.high[s] = impulse;
@@ -51,7 +52,7 @@ inline void driveHinge(const ReducedModel& model, const JointModel& joint, const
   const Real beyond = select<Real>(below, angle - joint.lower, angle - joint.upper);
   const Mask<Real> stopped = below | above;
   leg.momentum[s] = leg.momentum[s] + select<Real>(stopped, push, Real());
-  leg.velocity[s] = select<Real>(stopped, -(model.joint_erp / step) * beyond, velocity);
+  leg.velocity[s] = select<Real>(stopped, -conditions.joint_rate * beyond, velocity);
   leg.low[s] = select<Real>(below, Real(), select<Real>(above, splat<Real>(-1e300), -impulse));
   leg.high[s] = select<Real>(above, Real(), select<Real>(below, splat<Real>(1e300), impulse));
 }
@@ -74,8 +75,8 @@ inline void composeLeg(Inertia<Real> (&inertia)[kSegments], Spatial<Real> (&mome
 }
 
 template <typename Real, int kSegments>
-inline void assembleLeg(const ReducedModel& model, const State<Real>& state, int index, double step,
-                        TreeTerms<Real, kSegments>& tree) {
+inline void assembleLeg(const ReducedModel& model, const Conditions<Real>& conditions,
+                        const State<Real>& state, int index, TreeTerms<Real, kSegments>& tree) {
   LegTerms<Real, kSegments>& leg = tree.leg[index];
   Inertia<Real> inertia[kSegments];
   Spatial<Real> momentum[kSegments];
@@ -84,25 +85,25 @@ inline void assembleLeg(const ReducedModel& model, const State<Real>& state, int
     const BodyState<Real>& parent = s == 0 ? state.base : state.segment[index][s - 1];
     const BodyState<Real>& body = state.segment[index][s];
     placeSegment(model.joints[index][s], parent, s == 0 ? tree.base : leg.placement[s - 1], body,
-                 model.joint_erp / step, leg.placement[s], leg.hinge[s], correction);
+                 conditions.joint_rate, leg.placement[s], leg.hinge[s], correction);
     leg.correction[s] = correction;
-    bodyTerms(model, model.bodies[index][s], body, leg.placement[s], correction, step, inertia[s],
+    bodyTerms(model.bodies[index][s], conditions, body, leg.placement[s], correction, inertia[s],
               momentum[s]);
   }
   composeLeg(inertia, momentum, leg, tree);
   for (int s = 0; s < kSegments; ++s) {
-    driveHinge(model, model.joints[index][s], state.target[index][s], step, s, leg);
+    driveHinge(model, conditions, index, s, state.target[index][s], leg);
   }
 }
 
 /// Fills `tree` from the state (2 to 6).
 template <typename Real, int kSegments>
-inline void assembleTree(const ReducedModel& model, const State<Real>& state, double step,
-                         TreeTerms<Real, kSegments>& tree) {
+inline void assembleTree(const ReducedModel& model, const Conditions<Real>& conditions,
+                         const State<Real>& state, TreeTerms<Real, kSegments>& tree) {
   tree.base = place(state.base);
-  bodyTerms(model, model.base, state.base, tree.base, zeroSpatial<Real>(), step, tree.inertia,
+  bodyTerms(model.base, conditions, state.base, tree.base, zeroSpatial<Real>(), tree.inertia,
             tree.momentum);
-  for (int leg = 0; leg < model.legs; ++leg) assembleLeg(model, state, leg, step, tree);
+  for (int leg = 0; leg < model.legs; ++leg) assembleLeg(model, conditions, state, leg, tree);
 }
 
 }  // namespace hexapod::reduced

@@ -1,0 +1,134 @@
+#!/usr/bin/env python3
+"""Learns with BR-Evolution and MAP-Elites for equal times and writes results/learning.md.
+
+    results/measure_learning.py --programs <folder of evolve and assess_repertoire>
+
+A budget is processor time of the whole session, checks and file included, with one thread: twice
+the seconds that two cores have. How many candidates that is, is found with a seed that is not
+reported. Repertoires are kept below --work and are not learned again; delete them to start afresh.
+"""
+import argparse
+import dataclasses
+import pathlib
+import re
+import resource
+import sqlite3
+import statistics
+import subprocess
+
+from measure import machine
+
+HERE = pathlib.Path(__file__).resolve().parent
+PILOT_SEED = 101
+PILOT_EVALUATIONS = 20000
+LEARNERS = [("br_evolution", []), ("map_elites", ["--cell_m", "0.03"])]
+# Seconds on two cores, and seeds reported.
+BUDGETS = [(15, 10), (60, 5)]
+
+
+@dataclasses.dataclass(frozen=True)
+class Session:
+    """A finished session: lengths in cm and mm, angles in degrees."""
+    cpu_s: float
+    evaluations: int
+    entries: int
+    sparseness_cm: float
+    error_deg: float
+    steady: tuple  # chained where learned, median and p90 [mm], median and p90 [deg]
+    test: tuple    # the same in the test set, then behaviours and failures
+
+
+def run(command):
+    """Output and processor time [s] of a program."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    text = subprocess.run([str(word) for word in command], check=True, stdout=subprocess.PIPE,
+                          universal_newlines=True).stdout
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return text, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+
+
+def learn(arguments, learner, evaluations, seed):
+    """The file of a session and its processor time."""
+    name, options = learner
+    file = arguments.work / f"{name}_{evaluations}_{seed}.db"
+    cpu = file.with_suffix(".cpu")
+    if not cpu.exists():
+        _, cpu_s = run([arguments.programs / "evolve", "--file", file, "--overwrite", "--threads", 1,
+                        "--algorithm", name, *options, "--evaluations", evaluations, "--seed",
+                        seed])
+        cpu.write_text(str(cpu_s), encoding="utf-8")
+    return file, float(cpu.read_text(encoding="utf-8"))
+
+
+def evaluations_for(arguments, learner, cpu_s):
+    """Candidates that take so much processor time, to two digits: one step of the secant method."""
+    evaluations = PILOT_EVALUATIONS
+    for _ in range(3):
+        _, took_s = learn(arguments, learner, evaluations, PILOT_SEED)
+        evaluations = int(float(f"{evaluations * cpu_s / took_s:.2g}"))
+        if abs(took_s / cpu_s - 1) < 0.05:
+            break
+    return evaluations
+
+
+def chained(text, world):
+    """The cells of a row of assess_repertoire's first table."""
+    row = re.search(rf"^\| {world} \|(.*)\|$", text, re.MULTILINE)
+    return tuple(float(cell) for cell in row.group(1).split("|"))
+
+
+def session(arguments, learner, evaluations, seed):
+    """Learns and assesses."""
+    file, cpu_s = learn(arguments, learner, evaluations, seed)
+    text, _ = run([arguments.programs / "assess_repertoire", file, "--threads", 1])
+    database = sqlite3.connect(str(file))
+    row = database.execute("SELECT archive_size, sparseness_m, median_orientation_error_rad FROM "
+                           "history ORDER BY evaluations DESC").fetchone()
+    database.close()
+    return Session(cpu_s, evaluations, row[0], 100 * row[1], 57.29578 * row[2],
+                   chained(text, "as learned"), chained(text, "test set"))
+
+
+def line(budget_s, learner, sessions):
+    """A row of medians; failures are a sum."""
+    def median(value):
+        return statistics.median(value(one) for one in sessions)
+
+    def misses(of):
+        values = [median(lambda one, i=i: of(one)[i]) for i in range(4)]
+        return (f"{values[0]:.1f} mm, {values[2]:.2f} deg | {values[1]:.1f} mm, "
+                f"{values[3]:.2f} deg")
+    behaviors = sum(one.test[4] for one in sessions)
+    return (f"| {budget_s} s, {len(sessions)} seeds | {learner} | {median(lambda one: one.cpu_s):.0f} | "
+            f"{sessions[0].evaluations} | {median(lambda one: one.entries):.0f} | "
+            f"{median(lambda one: one.sparseness_cm):.2f} | {median(lambda one: one.error_deg):.2f} | "
+            f"{misses(lambda one: one.steady)} | {misses(lambda one: one.test)} | "
+            f"{sum(one.test[5] for one in sessions):.0f} of {behaviors:.0f} |")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--programs", type=pathlib.Path, required=True)
+    parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("/tmp/hexapod_learning"))
+    parser.add_argument("--remark", default="", help="what else is to be known of the machine")
+    arguments = parser.parse_args()
+    arguments.jobs = 1
+    arguments.work.mkdir(parents=True, exist_ok=True)
+    text = (HERE / "learning.md").read_text(encoding="utf-8").split("\n| budget |", maxsplit=1)[0]
+    lines = ["| budget | learner | CPU [s] | candidates | entries | sparseness [cm] | orientation "
+             "error in the region [deg] | chained where learned: median | p90 | chained in the test "
+             "set: median | p90 | failures there |", "|" + "---|" * 12]
+    for budget_s, seeds in BUDGETS:
+        for learner in LEARNERS:
+            evaluations = evaluations_for(arguments, learner, 2.0 * budget_s)
+            sessions = [session(arguments, learner, evaluations, seed)
+                        for seed in range(1, seeds + 1)]
+            lines.append(line(budget_s, learner[0], sessions))
+            print(lines[-1], flush=True)
+    lines += ["", machine(arguments)]
+    (HERE / "learning.md").write_text(text + "\n" + "\n".join(lines) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()
