@@ -19,8 +19,6 @@ import statistics
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-CHAIN = re.compile(r"chained at random: (\d+) behaviours, (\d+) failed; from the expected end pose "
-                   r"([\d.]+) mm and ([\d.]+) deg in the median, ([\d.]+) mm and ([\d.]+) deg at p90")
 WORLDS = ["nominal", "5 ms step", "mu 0.7", "mu 1.1", "mass -10 %", "mass +10 %",
           "servo gain -20 %", "servo gain +20 %", "torque -20 %"]
 
@@ -84,15 +82,17 @@ def learn(programs, file, options):
 def assess(programs, file, *options):
     """Runs assess_repertoire and reads its table and what it says of the chain."""
     text = subprocess.run([str(programs / "assess_repertoire"), str(file), "--threads", "1",
-                           *options], check=True, stdout=subprocess.PIPE,
+                           "--test_chain", "0", *options], check=True, stdout=subprocess.PIPE,
                           universal_newlines=True).stdout
-    worlds = {}
+    worlds, chain = {}, ()
     for line in text.splitlines():
         cells = [cell.strip() for cell in line.strip("|").split("|")]
         if cells[0] in WORLDS:
             worlds[cells[0]] = World(*(float(cell) for cell in cells[1:]))
-    chain = CHAIN.search(text)
-    return worlds, tuple(float(group) for group in chain.groups()) if chain else ()
+        if cells[0] == "as learned":
+            mm, p90_mm, degrees, p90_degrees, behaviors, failed = map(float, cells[1:])
+            chain = (behaviors, failed, mm, degrees, p90_mm, p90_degrees)
+    return worlds, chain
 
 
 def run(job):

@@ -8,10 +8,11 @@ the seconds that two cores have. How many candidates that is, is found with a se
 reported. Repertoires are kept below --work and are not learned again; delete them to start afresh.
 """
 import argparse
+import concurrent.futures
 import dataclasses
+import os
 import pathlib
 import re
-import resource
 import sqlite3
 import statistics
 import subprocess
@@ -22,8 +23,6 @@ HERE = pathlib.Path(__file__).resolve().parent
 PILOT_SEED = 101
 PILOT_EVALUATIONS = 20000
 LEARNERS = [("br_evolution", []), ("map_elites", ["--cell_m", "0.03"])]
-# Seconds on two cores, and seeds reported.
-BUDGETS = [(15, 10), (60, 5)]
 
 
 @dataclasses.dataclass(frozen=True)
@@ -40,11 +39,14 @@ class Session:
 
 def run(command):
     """Output and processor time [s] of a program."""
-    before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    text = subprocess.run([str(word) for word in command], check=True, stdout=subprocess.PIPE,
-                          universal_newlines=True).stdout
-    after = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return text, after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    with subprocess.Popen([str(word) for word in command], stdout=subprocess.PIPE,
+                          universal_newlines=True) as process:
+        text = process.stdout.read()
+        _, status, used = os.wait4(process.pid, 0)
+        process.returncode = status
+    if status != 0:
+        raise RuntimeError(f"{command[0]} failed: {text}")
+    return text, used.ru_utime + used.ru_stime
 
 
 def learn(arguments, learner, evaluations, seed):
@@ -61,9 +63,9 @@ def learn(arguments, learner, evaluations, seed):
 
 
 def evaluations_for(arguments, learner, cpu_s):
-    """Candidates that take so much processor time, to two digits: one step of the secant method."""
+    """Candidates that take so much processor time, to two digits, tried twice."""
     evaluations = PILOT_EVALUATIONS
-    for _ in range(3):
+    for _ in range(2):
         _, took_s = learn(arguments, learner, evaluations, PILOT_SEED)
         evaluations = int(float(f"{evaluations * cpu_s / took_s:.2g}"))
         if abs(took_s / cpu_s - 1) < 0.05:
@@ -111,19 +113,24 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--programs", type=pathlib.Path, required=True)
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("/tmp/hexapod_learning"))
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--budgets", nargs="+", default=["15:10", "60:10"],
+                        help="seconds on two cores, and how many seeds")
     parser.add_argument("--remark", default="", help="what else is to be known of the machine")
     arguments = parser.parse_args()
-    arguments.jobs = 1
     arguments.work.mkdir(parents=True, exist_ok=True)
     text = (HERE / "learning.md").read_text(encoding="utf-8").split("\n| budget |", maxsplit=1)[0]
     lines = ["| budget | learner | CPU [s] | candidates | entries | sparseness [cm] | orientation "
              "error in the region [deg] | chained where learned: median | p90 | chained in the test "
              "set: median | p90 | failures there |", "|" + "---|" * 12]
-    for budget_s, seeds in BUDGETS:
+    for budget in arguments.budgets:
+        budget_s, seeds = map(int, budget.split(":"))
         for learner in LEARNERS:
             evaluations = evaluations_for(arguments, learner, 2.0 * budget_s)
-            sessions = [session(arguments, learner, evaluations, seed)
-                        for seed in range(1, seeds + 1)]
+            with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
+                sessions = list(pool.map(
+                    lambda seed, learner=learner, evaluations=evaluations:
+                    session(arguments, learner, evaluations, seed), range(1, seeds + 1)))
             lines.append(line(budget_s, learner[0], sessions))
             print(lines[-1], flush=True)
     lines += ["", machine(arguments)]
