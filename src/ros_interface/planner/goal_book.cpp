@@ -67,6 +67,11 @@ GoalBook::Goal GoalBook::takeToWalk() {
   return walked_;
 }
 
+GoalBook::Goal GoalBook::walked() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return walked_;
+}
+
 bool GoalBook::newerIsNext() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return next_ && !next_->ended();

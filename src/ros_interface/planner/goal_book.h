@@ -35,6 +35,9 @@ class GoalBook {
   /// The goal to walk to; waits for one. Null once closed.
   Goal takeToWalk();
 
+  /// The goal that is being walked to; null while none is.
+  Goal walked() const;
+
   /// Another goal is to be walked to.
   bool newerIsNext() const;
 

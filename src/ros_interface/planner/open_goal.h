@@ -24,6 +24,9 @@ class OpenGoal {
   const GoalRequest request;
   const std::uint64_t stops;
 
+  /// Set while the walk's thread thinks: it looks at nothing else meanwhile.
+  std::atomic<bool> is_thought_about{false};
+
   /// Soon true after somebody ended it: nothing more is to be done for it.
   bool ended() const { return ended_; }
 

@@ -103,6 +103,7 @@ PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {
   while (!leave && ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
     poses_.latest();  // keeps an eye on it
+    walker_.look();
     updater_.update();
     watchClock();
     lookAtBelief();

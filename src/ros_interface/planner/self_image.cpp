@@ -35,6 +35,13 @@ std::vector<std::string> jointsOutOfOrder(const RobotDescription& robot, const B
   return joints;
 }
 
+std::optional<Physics> sureBody(const BodyBelief& belief) {
+  if (belief.probability(0) < kSure) return std::nullopt;
+  Physics body = belief.physicsOf(belief.bodies().front());
+  body.slope_x_rad = body.slope_y_rad = 0.0;
+  return body;
+}
+
 }  // namespace
 
 // A self-model that tells what it believes whenever it has seen more.
@@ -48,7 +55,7 @@ class SelfImage::Told : public SelfModel {
     tell();
   }
 
-  void tell() { image_.tell(image_.beliefOf(*this)); }
+  void tell() { image_.tell(belief(), behaviors()); }
 
  private:
   SelfImage& image_;
@@ -76,12 +83,15 @@ std::shared_ptr<Foresight> SelfImage::foresightFor(const Repertoire& repertoire)
   }
   const std::lock_guard<std::mutex> lock(tell_mutex_);
   told_ = {};
+  sure_body_.reset();
   return std::make_shared<DeviationForesight>();
 }
 
-void SelfImage::tell(const hexapod_repertoire::BodyBelief& belief) {
+void SelfImage::tell(const BodyBelief& belief, int behaviors) {
+  const hexapod_repertoire::BodyBelief message = messageOf(belief, behaviors);
   const std::lock_guard<std::mutex> lock(tell_mutex_);
-  told_ = belief;
+  told_ = message;
+  sure_body_ = hexapod::sureBody(belief);
   tell_(told_);
 }
 
@@ -97,31 +107,24 @@ void SelfImage::tellAgain() {
   tell_(told_);
 }
 
-std::shared_ptr<SelfImage::Told> SelfImage::current() const {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  return current_;
-}
-
 std::optional<Physics> SelfImage::sureBody() const {
-  const auto image = current();
-  if (!image) return std::nullopt;
-  const BodyBelief belief = image->belief();
-  if (belief.probability(0) < kSure) return std::nullopt;
-  Physics body = belief.physicsOf(belief.bodies().front());
-  body.slope_x_rad = body.slope_y_rad = 0.0;
-  return body;
+  const std::lock_guard<std::mutex> lock(tell_mutex_);
+  return sure_body_;
 }
 
 std::string SelfImage::forget() {
-  const auto image = current();
+  std::shared_ptr<Told> image;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    image = current_;
+  }
   if (!image) return "Nothing is believed of the robot's body: it is not simulated.";
   image->forget();
   image->tell();
   return "The robot is believed to be as it was learned for.";
 }
 
-hexapod_repertoire::BodyBelief SelfImage::beliefOf(const SelfModel& self_model) const {
-  const BodyBelief belief = self_model.belief();
+hexapod_repertoire::BodyBelief SelfImage::messageOf(const BodyBelief& belief, int behaviors) const {
   hexapod_repertoire::BodyBelief message;
   message.header.stamp = clock_.rosNow();
   message.robot_id = robot_->digest;
@@ -137,7 +140,7 @@ hexapod_repertoire::BodyBelief SelfImage::beliefOf(const SelfModel& self_model) 
     message.standard_deviations.push_back(std::sqrt(best.covariance(i, i)));
   }
   message.dead_joints = jointsOutOfOrder(*robot_, belief);
-  message.behaviors = static_cast<std::uint32_t>(self_model.behaviors());
+  message.behaviors = static_cast<std::uint32_t>(behaviors);
   message.sentence = describe(*robot_, belief);
   return message;
 }

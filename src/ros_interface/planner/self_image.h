@@ -35,7 +35,8 @@ class SelfImage {
   /// What was told last; without a sentence when nothing was.
   hexapod_repertoire::BodyBelief told() const;
 
-  /// The body that is believed for sure, on a level floor; nothing while none is.
+  /// The body that was believed for sure when it was last told, on a level floor; nothing when none
+  /// was. Returns at once, whatever is being thought.
   std::optional<Physics> sureBody() const;
 
   /// Believes what it believed at first. A sentence for the user.
@@ -44,16 +45,16 @@ class SelfImage {
  private:
   class Told;
 
-  std::shared_ptr<Told> current() const;
-  void tell(const hexapod_repertoire::BodyBelief& belief);
-  hexapod_repertoire::BodyBelief beliefOf(const SelfModel& self_model) const;
+  void tell(const BodyBelief& belief, int behaviors);
+  hexapod_repertoire::BodyBelief messageOf(const BodyBelief& belief, int behaviors) const;
 
   const Clock& clock_;
   const std::optional<RobotDescription> robot_;
   const Tell tell_;
   mutable std::mutex tell_mutex_;  // held while telling: nothing old is told after something new
   hexapod_repertoire::BodyBelief told_;  // guarded by tell_mutex_
-  mutable std::mutex mutex_;
+  std::optional<Physics> sure_body_;     // likewise
+  std::mutex mutex_;
   std::shared_ptr<Told> current_;  // of the repertoire in use; null: not simulated
 };
 

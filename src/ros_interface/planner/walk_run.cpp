@@ -100,8 +100,12 @@ void WalkRun::noteWhereRobotIs(const Pose2& robot) {
 
 Walk::Decision WalkRun::decide() {
   walk_.setObstacles(obstacles_.look());
-  return walk_.decide(walked_.back(), withinWallTime(means_.options, means_.clock,
-                                                     [this] { return goal_.ended(); }));
+  goal_.is_thought_about = true;
+  const Walk::Decision decision =
+      walk_.decide(walked_.back(),
+                   withinWallTime(means_.options, means_.clock, [this] { return goal_.ended(); }));
+  goal_.is_thought_about = false;
+  return decision;
 }
 
 Walk::Decision WalkRun::decideOnceOpen() {

@@ -47,6 +47,16 @@ std::string Walker::submit(const GoalRequest& request, const GoalListener& liste
   return book_.enter(id, request, listener, means_.player.stops())->id;
 }
 
+void Walker::look() {
+  const GoalBook::Goal goal = book_.walked();
+  if (!goal || !goal->is_thought_about) return;
+  const std::string why = means_.player.whyNotReady();
+  if (why.empty()) return;
+  if (goal->end(GoalCode::EXECUTOR_NOT_READY, "The walk ended, no behaviour is played: " + why)) {
+    log(goal->id, goal->report());
+  }
+}
+
 void Walker::examineGoals() {
   while (const GoalBook::Goal goal = book_.takeToExamine()) {
     if (!goal->ended()) {

@@ -38,6 +38,10 @@ class Walker {
   bool cancelAll() { return book_.cancelAll() > 0; }
   bool cancel(const std::string& id) { return book_.cancel(id) > 0; }
 
+  /// To be called often: tells at once that the executor cannot go on while a walk thinks about its
+  /// next behaviour, which may take its time.
+  void look();
+
   /// Answers every goal with this code and sentence, those that still come too, and walks no more.
   void close(std::uint8_t code, const std::string& message) { book_.close(code, message); }
   bool isClosed() const { return book_.isClosed(); }

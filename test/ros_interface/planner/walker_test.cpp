@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "planning/arc_repertoire.h"
+#include "planning/deviation.h"
 #include "ros_interface/fake_clock.h"
 #include "ros_interface/planner/fakes.h"
 
@@ -141,6 +142,41 @@ TEST_F(WalkerTest, ACancelWhileTheRobotComesToRestIsNotLost) {
   EXPECT_EQ(client.waitForEnd().code, GoalCode::PREEMPTED);
   walker_.reset();
   EXPECT_EQ(player_.begun, 0);
+}
+
+// Takes its time over what it has seen.
+class Ponderer : public DeviationForesight {
+ public:
+  explicit Ponderer(const std::atomic<bool>& ponders) : ponders_(ponders) {}
+  void observe(const WalkedStep&) override {
+    while (ponders_) std::this_thread::yield();
+  }
+
+ private:
+  const std::atomic<bool>& ponders_;
+};
+
+TEST_F(WalkerTest, TellsThatTheExecutorCannotGoOnWhileTheWalkThinks) {
+  std::atomic<bool> ponders{true};
+  RepertoireInUse repertoire(
+      PlannerOptions(), "", [] { return std::vector<std::string>(); },
+      [&](const Repertoire&) { return std::make_shared<Ponderer>(ponders); });
+  repertoire.take(arcMessage(), "/server");
+  walker_ = std::make_unique<Walker>(
+      Walker::Means{options_, clock_, poses_, repertoire, player_, watcher_});
+  Client client;
+  submit(client, goalAt(3.0, 0.0, 0.0));
+  while (watcher_.steps == 0) walker_->look();
+  player_.becomeUnready("The executor reports a fault.");
+  while (client.ends() == 0) walker_->look();
+  const WalkReport report = client.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::EXECUTOR_NOT_READY);
+  EXPECT_NE(report.message.find("reports a fault"), std::string::npos) << report.message;
+  EXPECT_EQ(report.steps, 1u);
+  ponders = false;
+  walker_.reset();
+  EXPECT_EQ(client.ends(), 1u);
+  EXPECT_EQ(player_.begun, 1);
 }
 
 TEST_F(WalkerTest, SumsUpACancelledWalkAsSuch) {
