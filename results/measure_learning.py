@@ -21,7 +21,6 @@ from measure import machine
 
 HERE = pathlib.Path(__file__).resolve().parent
 PILOT_SEED = 101
-PILOT_EVALUATIONS = 20000
 LEARNERS = [("br_evolution", []), ("map_elites", ["--cell_m", "0.03"])]
 
 
@@ -63,9 +62,9 @@ def learn(arguments, learner, evaluations, seed):
 
 
 def evaluations_for(arguments, learner, cpu_s):
-    """Candidates that take so much processor time, to two digits, tried twice."""
-    evaluations = PILOT_EVALUATIONS
-    for _ in range(2):
+    """Candidates that take so much processor time, to two digits, after so many pilots."""
+    evaluations = arguments.pilot_evaluations
+    for _ in range(arguments.pilots):
         _, took_s = learn(arguments, learner, evaluations, PILOT_SEED)
         evaluations = int(float(f"{evaluations * cpu_s / took_s:.2g}"))
         if abs(took_s / cpu_s - 1) < 0.05:
@@ -82,7 +81,11 @@ def chained(text, world):
 def session(arguments, learner, evaluations, seed):
     """Learns and assesses."""
     file, cpu_s = learn(arguments, learner, evaluations, seed)
-    text, _ = run([arguments.programs / "assess_repertoire", file, "--threads", 1])
+    told = file.with_suffix(".assessment")
+    if not told.exists():
+        text, _ = run([arguments.programs / "assess_repertoire", file, "--threads", 1])
+        told.write_text(text, encoding="utf-8")
+    text = told.read_text(encoding="utf-8")
     database = sqlite3.connect(str(file))
     row = database.execute("SELECT archive_size, sparseness_m, median_orientation_error_rad FROM "
                            "history ORDER BY evaluations DESC").fetchone()
@@ -116,6 +119,8 @@ def main():
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--budgets", nargs="+", default=["15:10", "60:10"],
                         help="seconds on two cores, and how many seeds")
+    parser.add_argument("--pilots", type=int, default=2)
+    parser.add_argument("--pilot-evaluations", type=int, default=20000)
     parser.add_argument("--remark", default="", help="what else is to be known of the machine")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
