@@ -52,14 +52,17 @@ def test_xacro_is_expanded_and_named_as_the_source(tmp_path, importer, monkeypat
     assert said[-2:] == ["--source", str(urdf)]
 
 
-def test_xacro_without_the_program_is_refused_with_what_to_do(tmp_path, importer, monkeypatch,
-                                                              capsys):
+def test_xacro_is_expanded_without_the_program(tmp_path, importer, monkeypatch, capsys):
     urdf = tmp_path / "r.urdf.xacro"
-    urdf.write_text(XACRO)
+    urdf.write_text(XACRO.replace("<xacro:leg/>", "<link name='$(arg base)'/>"))
+    keep = tmp_path / "kept.urdf"
+    importer = program(tmp_path, "keeper", f'/bin/cp "$1" {keep}\n')
     monkeypatch.setenv("PATH", str(tmp_path / "nowhere"))
+    assert import_robot.main([importer, str(urdf), "base:=trunk"]) == 0
+    assert '<link name="trunk"/>' in keep.read_text()
+    urdf.write_text(XACRO)
     assert import_robot.main([importer, str(urdf)]) == 1
-    assert "is xacro, and no program xacro is here" in capsys.readouterr().err
-    assert not (tmp_path / "said").exists()
+    assert f"{urdf} cannot be expanded: <xacro:leg" in capsys.readouterr().err
 
 
 def test_xacro_that_fails_tells_its_own_words(tmp_path, importer, monkeypatch, capsys):
