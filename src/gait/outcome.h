@@ -9,7 +9,7 @@ namespace hexapod {
 /// How a simulated behaviour ended. Only kWalked has an end pose.
 enum class Verdict {
   kWalked,
-  kFell,          ///< body touched the floor or left the allowed height
+  kFell,          ///< body touched the floor, left the allowed height or was upside down
   kSelfCollided,  ///< two legs touched
   kDiverged       ///< the simulation blew up: a pose or velocity was not finite or absurd
 };

@@ -34,7 +34,7 @@ def parser() -> argparse.ArgumentParser:
     go.add_argument("x_m", type=float)
     go.add_argument("y_m", type=float)
     go.add_argument("yaw_deg", type=float, nargs="?", help="left out: any heading will do")
-    go.add_argument("--frame", default="odom", help="of the pose [odom]; base_footprint: from here")
+    go.add_argument("--frame", help="of the pose; base_footprint: from here [the planner's: odom]")
     go.add_argument("--plan", action="store_true", help="plan only, show it in rviz, do not move")
     go.add_argument("--log", metavar="FILE.csv",
                     help="write what each behaviour was predicted and measured to do, for ./run report "
@@ -71,7 +71,7 @@ def goal_of(arguments: argparse.Namespace) -> WalkToGoal:
     if not all(map(math.isfinite, numbers)):
         raise ValueError(f"go {numbers}: expected three finite numbers, metres and degrees.")
     target = PoseStamped(pose=to_message((numbers[0], numbers[1], math.radians(numbers[2]))))
-    target.header.frame_id = arguments.frame
+    target.header.frame_id = arguments.frame or rospy.get_param("planner/global_frame", "odom")
     return WalkToGoal(target_pose=target, plan_only=arguments.plan,
                       yaw_tolerance_rad=-1.0 if yaw_deg is None else 0.0)
 

@@ -1,4 +1,4 @@
-"""Moves one leg at a time, feet off the floor, and holds what moved against what should have."""
+"""Moves one joint at a time, feet off the floor, and holds what moved against what should have."""
 import math
 import pathlib
 import subprocess
@@ -11,7 +11,6 @@ import yaml
 LEVEL, SHARE = 2, 0.5
 # A joint that swings this part of what it should is slow or smoothed, below the second it stands.
 WHOLE, SOME = 0.7, 0.25
-SIGNALS = (1, 2)
 GENES_PER_LEG = 4
 
 
@@ -23,11 +22,10 @@ class Joint(NamedTuple):
 
 
 class Movement(NamedTuple):
-    """One leg moved by one of its signals."""
+    """One joint moved alone by its signal."""
     leg: str
-    signal: int
+    joint: str
     foot: str  # where it goes, at -1 and at 1
-    joints: Tuple[str, ...]
     genome: Tuple[int, ...]
     swings_rad: Dict[str, float]  # of every joint of the robot, from end to end
 
@@ -39,28 +37,26 @@ def joints_of(robot: Dict[str, Any]) -> List[Joint]:
 
 
 def movements(robot: Dict[str, Any]) -> List[Movement]:
-    """What is tried: every signal of every leg that moves a joint."""
-    every = joints_of(robot)
+    """What is tried: every joint that takes part in the gait."""
+    names = [joint.name for joint in joints_of(robot)]
     tried = []
     for index, leg in enumerate(robot["legs"]):
-        for signal in SIGNALS:
-            moved = {joint["name"]: 2.0 * SHARE * abs(joint["amplitude_rad"])
-                     for joint in leg["joints"]
-                     if joint["signal"] == signal and joint["amplitude_rad"] != 0.0}
-            if not moved:
+        for joint in leg["joints"]:
+            if joint["amplitude_rad"] == 0.0:
                 continue
             genome = [0] * (GENES_PER_LEG * len(robot["legs"]))
-            genome[GENES_PER_LEG * index + 2 * (signal - 1)] = LEVEL
-            tried.append(Movement(leg["name"], signal, leg["foot"][signal - 1], tuple(moved),
-                                  tuple(genome),
-                                  {joint.name: moved.get(joint.name, 0.0) for joint in every}))
+            genome[GENES_PER_LEG * index + 2 * (joint["signal"] - 1)] = LEVEL
+            swings_rad = dict.fromkeys(names, 0.0)
+            swings_rad[joint["name"]] = 2.0 * SHARE * abs(joint["amplitude_rad"])
+            tried.append(Movement(leg["name"], joint["name"], joint["foot"], tuple(genome),
+                                  swings_rad))
     return tried
 
 
 def judge(movement: Movement, measured_rad: Dict[str, float]) -> List[str]:
     """What is wrong with how far the joints swung, from end to end; nan: nobody read it."""
     problems = []
-    least_rad = SOME * min(movement.swings_rad[name] for name in movement.joints)
+    least_rad = SOME * movement.swings_rad[movement.joint]
     for name, expected_rad in movement.swings_rad.items():
         swung_rad = measured_rad.get(name, math.nan)
         degrees = f"{math.degrees(swung_rad):.0f} of {math.degrees(expected_rad):.0f} degrees"
@@ -101,12 +97,12 @@ def swings(names: Sequence[str], low_rad: Sequence[float],
 
 def sentence(movement: Movement) -> str:
     """What a person should see now."""
-    return (f"{movement.leg}, signal {movement.signal} ({', '.join(movement.joints)}): watch the "
-            f"foot go {movement.foot} cm ahead, left and up, first to the second")
+    return (f"{movement.leg}, {movement.joint} alone: watch the foot go {movement.foot} cm ahead, "
+            "left and up, first to the second")
 
 
 def confirm() -> bool:
     """Asks whoever sits at the terminal."""
-    print("The robot must hang or lie so that its feet are off the floor: every leg swings by half "
+    print("The robot must hang or lie so that its feet are off the floor: every joint swings by half "
           "its gait.\nGo on? [y/N] ", end="", flush=True)
     return sys.stdin.readline().strip().lower() in ("y", "yes")

@@ -8,7 +8,7 @@ from typing import Dict, List, Optional, Tuple
 from roslaunch.arg_dump import get_args
 
 # Arguments that name a file end in one of these.
-FILE_ENDINGS = ("_file", "config")
+FILE_ENDINGS = ("_file", "config", "joint_map")
 HELP_WORDS = ("--help", "-h", "--ros-args")
 HELP_COLUMNS = 80
 

@@ -1,4 +1,4 @@
-"""Before a robot walks: `preflight` looks at its wires, `joint_check` moves one leg at a time."""
+"""Before a robot walks: `preflight` looks at its wires, `joint_check` moves one joint at a time."""
 import argparse
 import pathlib
 import sys
@@ -28,7 +28,7 @@ def parser() -> argparse.ArgumentParser:
     top.add_argument("--programs", type=pathlib.Path, required=True, help=argparse.SUPPRESS)
     verbs = top.add_subparsers(dest="verb", required=True)
     verbs.add_parser("preflight", help="look at who listens and who tells; nothing moves")
-    check = verbs.add_parser("joint_check", help="move one leg at a time and hold what moved "
+    check = verbs.add_parser("joint_check", help="move one joint at a time and hold what moved "
                              "against what should have; feet off the floor")
     check.add_argument("--yes", action="store_true", help="do not ask, the feet are off the floor")
     return top
@@ -111,7 +111,8 @@ def move(programs: pathlib.Path, is_confirmed: bool) -> int:
     for movement in joint_check.movements(robot):
         print(joint_check.sentence(movement), flush=True)
         try:
-            result = executor.ask(ExecuteBehaviorGoal(entry_id=-1, genome=movement.genome))
+            result = executor.ask(ExecuteBehaviorGoal(entry_id=-1, genome=movement.genome,
+                                                      joints=[movement.joint]))
         except (KeyboardInterrupt, rospy.ROSInterruptException):
             executor.cancel()
             raise
@@ -130,7 +131,7 @@ def move(programs: pathlib.Path, is_confirmed: bool) -> int:
 def conclusion(faults: int, seen: bool) -> str:
     """The last line."""
     if not seen:
-        return ("Every leg was moved; without joint_states only you have seen how. Did every foot "
+        return ("Every joint was moved; without joint_states only you have seen how. Did every foot "
                 "go where it was said?")
     if faults:
         return f"{faults} things are wrong: mend them, then check again."

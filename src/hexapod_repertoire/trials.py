@@ -110,7 +110,8 @@ def walk_trials() -> int:
     walker = Walker()
     reports = []
     for number in range(goals):
-        reports.append(walk_to(walker, random_goal(generator, radius_m), "odom"))
+        reports.append(walk_to(walker, random_goal(generator, radius_m),
+                               rospy.get_param("planner/global_frame", "odom")))
         rospy.loginfo("%d of %d: %s", number + 1, goals, reports[-1].response.message)
     print(summary(reports, steps.errors()), flush=True)
     return 0 if sum(not report.reached for report in reports) <= goals // 10 else 1

@@ -7,6 +7,7 @@
 #include "hexapod_repertoire/LoadRepertoire.h"
 #include "repertoire/find_repertoire.h"
 #include "repertoire/repertoire_file.h"
+#include "ros_interface/common/names.h"
 #include "ros_interface/common/node_process.h"
 #include "ros_interface/common/params.h"
 #include "ros_interface/learner/repertoire_publisher.h"
@@ -14,9 +15,15 @@
 namespace hexapod {
 namespace {
 
-std::vector<Option> declareOptions(std::string& file) {
-  return {option("repertoire_file", file,
-                 "SQLite file of a repertoire; empty: the newest ~/.ros/hexapod_repertoire*.db.")};
+struct ServerOptions {
+  std::string repertoire_file;
+  std::string base_frame = names::kFootprintFrame;
+};
+
+std::vector<Option> declareOptions(ServerOptions& options) {
+  return {option("repertoire_file", options.repertoire_file,
+                 "SQLite file of a repertoire; empty: the newest ~/.ros/hexapod_repertoire*.db."),
+          option("base_frame", options.base_frame, "The robot's footprint in tf.")};
 }
 
 /// Publishes the newest or the named file; returns what is published in words. Throws as
@@ -34,10 +41,10 @@ std::string publish(const std::string& named, RepertoirePublisher& publisher) {
 int serve() {
   ros::NodeHandle node;
   ros::NodeHandle private_node("~");
-  std::string file;
-  loadParams(private_node, declareOptions(file));
-  RepertoirePublisher publisher(node);
-  publish(file, publisher);
+  ServerOptions options;
+  loadParams(private_node, declareOptions(options));
+  RepertoirePublisher publisher(node, options.base_frame);
+  publish(options.repertoire_file, publisher);
   using Load = hexapod_repertoire::LoadRepertoire;
   const boost::function<bool(Load::Request&, Load::Response&)> on_load =
       [&publisher](Load::Request& request, Load::Response& response) {
@@ -58,8 +65,8 @@ int serve() {
 }
 
 std::string optionTable() {
-  std::string file;
-  return describeOptions(declareOptions(file));
+  ServerOptions options;
+  return describeOptions(declareOptions(options));
 }
 
 }  // namespace

@@ -113,6 +113,20 @@ std::string centimetres(const Eigen::Vector3d& way_m) {
   return text;
 }
 
+// Of the foot, when all joints move by their amplitudes.
+std::string wayOf(const Leg& leg) {
+  const LegModel model(leg);
+  const auto footAt = [&](double gamma) {
+    std::vector<double> angles_rad;
+    for (const Segment& segment : leg.segments) {
+      angles_rad.push_back(segment.joint.neutral_rad + gamma * segment.joint.amplitude_rad);
+    }
+    return model.at(angles_rad).foot_m;
+  };
+  const Eigen::Vector3d neutral = footAt(0.0);
+  return centimetres(footAt(-1.0) - neutral) + " .. " + centimetres(footAt(1.0) - neutral);
+}
+
 }  // namespace
 
 StandingCheck checkStanding(const RobotDescription& robot) {
@@ -180,18 +194,19 @@ RandomGaitsCheck checkRandomGaits(const RobotDescription& robot, int gaits) {
 }
 
 std::string footWay(const Leg& leg, Signal signal) {
-  const LegModel model(leg);
-  const auto footAt = [&](double gamma) {
-    std::vector<double> angles_rad;
-    for (const Segment& segment : leg.segments) {
-      const Joint& joint = segment.joint;
-      angles_rad.push_back(joint.neutral_rad +
-                           (joint.signal == signal ? gamma * joint.amplitude_rad : 0.0));
-    }
-    return model.at(angles_rad).foot_m;
-  };
-  const Eigen::Vector3d neutral = footAt(0.0);
-  return centimetres(footAt(-1.0) - neutral) + " .. " + centimetres(footAt(1.0) - neutral);
+  Leg moved = leg;
+  for (Segment& segment : moved.segments) {
+    if (segment.joint.signal != signal) segment.joint.amplitude_rad = 0.0;
+  }
+  return wayOf(moved);
+}
+
+std::string footWay(const Leg& leg, std::size_t joint) {
+  Leg moved = leg;
+  for (std::size_t j = 0; j < moved.segments.size(); ++j) {
+    if (j != joint) moved.segments[j].joint.amplitude_rad = 0.0;
+  }
+  return wayOf(moved);
 }
 
 std::string footWay(const Leg& leg) {

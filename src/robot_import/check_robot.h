@@ -43,6 +43,9 @@ RandomGaitsCheck checkRandomGaits(const RobotDescription& robot, int gaits);
 /// (+5.9 +0.0 +0.0)", cm forward, left and up.
 std::string footWay(const Leg& leg, Signal signal);
 
+/// The same for one joint of the leg, moved alone by its signal.
+std::string footWay(const Leg& leg, std::size_t joint);
+
 /// That of both signals, in a line.
 std::string footWay(const Leg& leg);
 

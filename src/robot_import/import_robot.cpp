@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "common/text.h"
+#include "gait/behavior_options.h"
 #include "gait/symmetry.h"
 #include "robot/dimensions.h"
 #include "robot/load_robot.h"
@@ -125,6 +126,24 @@ std::string line(const char* format, double a, double b = 0.0, double c = 0.0) {
   return text;
 }
 
+// What the learner's own options do not suit.
+std::vector<std::string> hintsFor(const ImportResult& result) {
+  constexpr double kMostShift = 0.1;  // of the reach
+  const BehaviorOptions usual;
+  std::vector<std::string> hints;
+  if (result.gaits.median_shift_m > kMostShift * legReach_m(result.robot)) {
+    hints.push_back("That is more than a tenth of the reach: learn with step_s 0.005.");
+  }
+  const double late_s =
+      result.gaits.back_to_neutral_s - usual.return_duration_s - usual.rest_duration_s;
+  if (late_s > 0.0) {
+    const double commands = std::ceil(late_s / usual.command_period_s - 1e-9);
+    hints.push_back(line("That is after the end of a behaviour: learn with rest_duration_s %.2f.",
+                         usual.rest_duration_s + commands * usual.command_period_s));
+  }
+  return hints;
+}
+
 }  // namespace
 
 ImportResult importRobot(const ImportRequest& request) {
@@ -185,6 +204,7 @@ std::string reportOf(const ImportResult& result) {
         line("  ends shift by %.1f mm between steps of 15 and 5 ms; joints are back %.2f s after a "
              "gait.",
              1e3 * gaits.median_shift_m, gaits.back_to_neutral_s));
+    for (const std::string& hint : hintsFor(result)) say("  " + hint);
     say("Engine " + gaits.engine +
         line(", %.0f gaits per second and core here.", gaits.evaluations_per_s) +
         (gaits.engine_remark.empty() ? "" : " " + gaits.engine_remark));

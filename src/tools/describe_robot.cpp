@@ -1,5 +1,5 @@
 // Prints a robot as URDF and YAML describe it, as YAML: its name and id, and per leg the joints
-// with their part in the gait and where the foot goes for each signal.
+// with their part in the gait and where the foot goes when they move alone.
 #include <yaml-cpp/yaml.h>
 
 #include <exception>
@@ -11,19 +11,19 @@
 namespace hexapod {
 namespace {
 
-void emitJoint(YAML::Emitter& yaml, const Joint& joint) {
+void emitJoint(YAML::Emitter& yaml, const Leg& leg, std::size_t index) {
+  const Joint& joint = leg.segments[index].joint;
   yaml << YAML::BeginMap << YAML::Key << "name" << YAML::Value << joint.name;
   yaml << YAML::Key << "signal" << YAML::Value << static_cast<int>(joint.signal);
   yaml << YAML::Key << "neutral_rad" << YAML::Value << joint.neutral_rad;
-  yaml << YAML::Key << "amplitude_rad" << YAML::Value << joint.amplitude_rad << YAML::EndMap;
+  yaml << YAML::Key << "amplitude_rad" << YAML::Value << joint.amplitude_rad;
+  yaml << YAML::Key << "foot" << YAML::Value << footWay(leg, index) << YAML::EndMap;
 }
 
 void emitLeg(YAML::Emitter& yaml, const Leg& leg) {
   yaml << YAML::BeginMap << YAML::Key << "name" << YAML::Value << leg.name;
-  yaml << YAML::Key << "foot" << YAML::Value << YAML::BeginSeq << footWay(leg, Signal::kFirst)
-       << footWay(leg, Signal::kSecond) << YAML::EndSeq;
   yaml << YAML::Key << "joints" << YAML::Value << YAML::BeginSeq;
-  for (const Segment& segment : leg.segments) emitJoint(yaml, segment.joint);
+  for (std::size_t j = 0; j < leg.segments.size(); ++j) emitJoint(yaml, leg, j);
   yaml << YAML::EndSeq << YAML::EndMap;
 }
 

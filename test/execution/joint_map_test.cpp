@@ -67,8 +67,10 @@ TEST(JointMap, ShippedMapsFitTheShippedRobot) {
   std::vector<double> wire;
   shipped.toWire(shippedRobot().neutralPose(), wire);
   EXPECT_EQ(wire, shippedRobot().neutralPose());
-  EXPECT_NO_THROW(
-      JointMap::fromYaml(contents("config/joint_map_phantomx.yaml"), names, "phantomx"));
+  for (const std::string other : {"phantomx", "interbotix", "openshc"}) {
+    EXPECT_NO_THROW(
+        JointMap::fromYaml(contents("config/joint_map_" + other + ".yaml"), names, other));
+  }
 }
 
 }  // namespace

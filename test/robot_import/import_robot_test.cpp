@@ -112,6 +112,15 @@ TEST(ImportRobot, SignalsMoveTheFootAlongAndUpAndTheTibiaStaysUpright) {
   }
 }
 
+TEST(ImportRobot, SaysWhatTheLearnersOptionsDoNotSuit) {
+  ImportResult result = import(hexapodUrdf({}));
+  EXPECT_EQ(reportOf(result).find("learn with"), std::string::npos);
+  result.gaits.median_shift_m = 0.11 * legReach_m(result.robot);
+  EXPECT_NE(reportOf(result).find("learn with step_s 0.005"), std::string::npos);
+  result.gaits.back_to_neutral_s = 1.0;  // 0.1 s after way back and rest: 4 commands of 30 ms
+  EXPECT_NE(reportOf(result).find("learn with rest_duration_s 0.42"), std::string::npos);
+}
+
 TEST(ImportRobot, WrittenFilesLoadAsTheRobotThatWasTried) {
   MadeRobot made;
   made.has_frames = made.has_box_legs = made.y_forward = true;

@@ -199,6 +199,14 @@ TEST_F(OdeWorldTest, FallsWhenTheBodyIsAboveTheAllowedHeight) {
   EXPECT_EQ(world_->step(), Verdict::kFell);
 }
 
+TEST_F(OdeWorldTest, FallsWhenTheBodyIsUpsideDown) {
+  const WorldState upright = world_->state();
+  world_->restore(rolled(world_->robot(), upright, 0.49 * M_PI, 0.2));
+  EXPECT_EQ(world_->step(), Verdict::kWalked);
+  world_->restore(rolled(world_->robot(), upright, 0.51 * M_PI, 0.2));
+  EXPECT_EQ(world_->step(), Verdict::kFell);
+}
+
 TEST_F(OdeWorldTest, AFallenRobotLiesOnTheFloor) {
   std::vector<double> targets_rad = world_->robot().neutralPose();
   for (std::size_t leg = 0; leg < 6; ++leg) targets_rad[3 * leg + 1] = 1.5;

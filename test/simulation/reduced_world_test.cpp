@@ -211,6 +211,16 @@ TEST(ReducedWorld, SaysFellWhenTheBaseLiesOnTheFloorAndWhenItIsThrownUp) {
   }
 }
 
+TEST(ReducedWorld, SaysFellOfARobotThatIsUpsideDown) {
+  // Its legs may hold the base off the floor on either side.
+  ReducedWorld world(handMadeHexapod(), Physics());
+  const WorldState upright = world.state();
+  world.restore(rolled(world.robot(), upright, 0.49 * M_PI, 0.2));
+  EXPECT_EQ(world.step(), Verdict::kWalked);
+  world.restore(rolled(world.robot(), upright, 0.51 * M_PI, 0.2));
+  EXPECT_EQ(world.step(), Verdict::kFell);
+}
+
 TEST(ReducedWorld, StaysDivergedUntilItIsRestored) {
   const RobotDescription robot = handMadeHexapod();
   ReducedWorld world(robot, Physics());

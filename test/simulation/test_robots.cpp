@@ -4,6 +4,7 @@
 #include <string>
 
 #include "common/random.h"
+#include "simulation/standing_state.h"
 
 namespace hexapod {
 namespace {
@@ -147,6 +148,22 @@ std::vector<Genome> randomGenomes(const RobotDescription& robot, std::size_t cou
     genomes.push_back(canonical(genome));
   }
   return genomes;
+}
+
+WorldState rolled(const RobotDescription& robot, WorldState state, double roll_rad, double lift_m) {
+  const Eigen::Vector3d base_m = Eigen::Map<const Eigen::Vector3d>(state.values.data());
+  const Eigen::Quaterniond roll(Eigen::AngleAxisd(roll_rad, Eigen::Vector3d::UnitX()));
+  for (std::size_t index = 0; index <= robot.jointCount(); ++index) {
+    double* const body = state.values.data() + index * kStateValuesPerBody;
+    Eigen::Map<Eigen::Vector3d> position_m(body);
+    position_m = base_m + roll * (position_m - base_m) + lift_m * Eigen::Vector3d::UnitZ();
+    const Eigen::Quaterniond turned = roll * Eigen::Quaterniond(body[3], body[4], body[5], body[6]);
+    body[3] = turned.w();
+    body[4] = turned.x();
+    body[5] = turned.y();
+    body[6] = turned.z();
+  }
+  return state;
 }
 
 BehaviorOptions shortBehavior() {

@@ -3,6 +3,7 @@
 #include "gait/behavior_options.h"
 #include "gait/genome.h"
 #include "robot/robot_description.h"
+#include "simulation/world.h"
 
 namespace hexapod {
 
@@ -23,6 +24,9 @@ Genome tripod(const RobotDescription& robot);
 /// Genomes drawn uniformly, in canonical form.
 std::vector<Genome> randomGenomes(const RobotDescription& robot, std::size_t count,
                                   std::uint64_t seed);
+
+/// The state of a world whose robot was lifted, and rolled about the x axis of its base.
+WorldState rolled(const RobotDescription& robot, WorldState state, double roll_rad, double lift_m);
 
 /// A behaviour of 0.9 s, for tests in which the distance does not matter.
 BehaviorOptions shortBehavior();

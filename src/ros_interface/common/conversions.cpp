@@ -8,7 +8,6 @@
 #include "geometry/arc.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/repertoire_rows.h"
-#include "ros_interface/common/names.h"
 
 namespace hexapod {
 namespace {
@@ -55,10 +54,11 @@ Entry fromMsg(const hexapod_repertoire::RepertoireEntry& message) {
 
 }  // namespace
 
-hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp) {
+hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp,
+                                     const std::string& base_frame) {
   hexapod_repertoire::Repertoire message;
   message.header.stamp = stamp;
-  message.header.frame_id = names::kFootprintFrame;
+  message.header.frame_id = base_frame;
   message.format_version = kFormatVersion;
   message.run_id = repertoire.run_id;
   message.robot_id = repertoire.robot_id;

@@ -14,11 +14,13 @@
 #include "geometry/pose2.h"
 #include "hexapod_repertoire/Repertoire.h"
 #include "repertoire/repertoire.h"
+#include "ros_interface/common/names.h"
 
 namespace hexapod {
 
 /// The message of a repertoire, stamped `stamp`.
-hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp);
+hexapod_repertoire::Repertoire toMsg(const Repertoire& repertoire, const ros::Time& stamp,
+                                     const std::string& base_frame = names::kFootprintFrame);
 
 /// An option of the run of a repertoire message; empty when it does not say.
 std::string optionOf(const hexapod_repertoire::Repertoire& message, const std::string& name);

@@ -1,10 +1,12 @@
 #include "ros_interface/executor/playable_behaviors.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <stdexcept>
 #include <utility>
 
+#include "common/problems.h"
 #include "common/text.h"
 #include "ros_interface/common/conversions.h"
 
@@ -108,11 +110,32 @@ std::string PlayableBehaviors::checkGenome(const Genome& genome) const {
   return "";
 }
 
+RobotDescription PlayableBehaviors::movingOnly(const std::vector<std::string>& joints,
+                                               std::string& problem) const {
+  RobotDescription robot = robot_;
+  std::size_t found = 0;
+  for (Leg& leg : robot.legs) {
+    for (Segment& segment : leg.segments) {
+      const bool moves =
+          std::find(joints.begin(), joints.end(), segment.joint.name) != joints.end();
+      if (!moves) segment.joint.amplitude_rad = 0.0;
+      found += moves ? 1 : 0;
+    }
+  }
+  if (found != joints.size()) {
+    problem = "Of the " + std::to_string(joints.size()) + " joints of the goal the robot has " +
+              std::to_string(found) + "; it has " + namesText(robot_.jointNames()) + ".";
+  }
+  return robot;
+}
+
 std::shared_ptr<const Behavior> PlayableBehaviors::find(
     const hexapod_repertoire::ExecuteBehaviorGoal& goal, std::string& problem) const {
   Genome genome(goal.genome.begin(), goal.genome.end());
   if (goal.entry_id == -1) {
     problem = checkGenome(genome);
+  } else if (!goal.joints.empty()) {
+    problem = "The goal names joints and an entry; single joints move by bare genomes only.";
   } else if (!problem_.empty()) {
     problem = problem_;
   } else if (goal.run_id != run_id_) {
@@ -131,7 +154,12 @@ std::shared_ptr<const Behavior> PlayableBehaviors::find(
     }
   }
   if (!problem.empty()) return nullptr;
-  return std::make_shared<const Behavior>(robot_, canonical(genome), options_);
+  if (goal.joints.empty()) {
+    return std::make_shared<const Behavior>(robot_, canonical(genome), options_);
+  }
+  const RobotDescription robot = movingOnly(goal.joints, problem);
+  if (!problem.empty()) return nullptr;
+  return std::make_shared<const Behavior>(robot, canonical(genome), options_);
 }
 
 }  // namespace hexapod

@@ -46,6 +46,8 @@ class PlayableBehaviors {
                         BehaviorOptions& times) const;
   std::string readEntries(const hexapod_repertoire::Repertoire& message, Genomes& genomes) const;
   std::string checkGenome(const Genome& genome) const;
+  /// The robot, of which no other joints move; a sentence in `problem` when it has not all of them.
+  RobotDescription movingOnly(const std::vector<std::string>& joints, std::string& problem) const;
 
   const RobotDescription& robot_;
   BehaviorOptions options_;

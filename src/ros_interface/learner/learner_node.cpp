@@ -38,7 +38,7 @@ class LeavingWatch {
 LearnerNode::LearnerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                          const LearnerOptions& options)
     : core_(robotFromParams(node, options.robot_config), options, clock_, *this, askedToLeave),
-      repertoire_publisher_(node),
+      repertoire_publisher_(node, options.base_frame),
       progress_publisher_(
           private_node.advertise<hexapod_repertoire::LearningProgress>("progress", 1, true)),
       save_(private_node.advertiseService("save", &LearnerNode::onSave, this)),

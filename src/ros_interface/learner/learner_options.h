@@ -5,6 +5,7 @@
 
 #include "common/options.h"
 #include "learning/learn_options.h"
+#include "ros_interface/common/names.h"
 
 namespace hexapod {
 
@@ -15,6 +16,7 @@ struct LearnerOptions {
   double publish_period_s = 10.0;
   bool exit_when_done = false;
   bool start_paused = false;
+  std::string base_frame = names::kFootprintFrame;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

@@ -1,17 +1,20 @@
 #include "ros_interface/learner/repertoire_publisher.h"
 
+#include <utility>
+
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
 
-RepertoirePublisher::RepertoirePublisher(ros::NodeHandle& node)
-    : repertoire_publisher_(
+RepertoirePublisher::RepertoirePublisher(ros::NodeHandle& node, std::string base_frame)
+    : base_frame_(std::move(base_frame)),
+      repertoire_publisher_(
           node.advertise<hexapod_repertoire::Repertoire>(names::kRepertoire, 1, true)),
       service_(node.advertiseService("get_repertoire", &RepertoirePublisher::answer, this)) {}
 
 void RepertoirePublisher::publish(const Repertoire& repertoire) {
-  const auto message = toMsg(repertoire, ros::Time::now());
+  const auto message = toMsg(repertoire, ros::Time::now(), base_frame_);
   repertoire_publisher_.publish(message);
   const std::lock_guard<std::mutex> lock(mutex_);
   latest_ = message;

@@ -5,6 +5,7 @@
 #include <ros/service_server.h>
 
 #include <mutex>
+#include <string>
 
 #include "hexapod_repertoire/GetRepertoire.h"
 #include "hexapod_repertoire/Repertoire.h"
@@ -16,7 +17,8 @@ namespace hexapod {
 /// `get_repertoire`. Callable from any thread.
 class RepertoirePublisher {
  public:
-  explicit RepertoirePublisher(ros::NodeHandle& node);
+  /// `base_frame`: the frame that behaviours start in, for the message.
+  RepertoirePublisher(ros::NodeHandle& node, std::string base_frame);
 
   /// Publishes and keeps the repertoire for the service.
   void publish(const Repertoire& repertoire);
@@ -25,6 +27,7 @@ class RepertoirePublisher {
   bool answer(hexapod_repertoire::GetRepertoire::Request& request,
               hexapod_repertoire::GetRepertoire::Response& response);
 
+  std::string base_frame_;
   ros::Publisher repertoire_publisher_;
   ros::ServiceServer service_;
   std::mutex mutex_;

@@ -4,17 +4,18 @@
 #include <cmath>
 
 #include "ros_interface/common/conversions.h"
-#include "ros_interface/common/names.h"
 
 namespace hexapod {
 
-RobotObserver::RobotObserver(const RobotDescription& robot)
-    : base_link_(robot.base_link),
+RobotObserver::RobotObserver(const RobotDescription& robot, const RobotFrames& frames)
+    : frames_(frames),
+      base_link_(frames.tf_prefix.empty() ? robot.base_link
+                                          : frames.tf_prefix + "/" + robot.base_link),
       base_from_link_(Eigen::AngleAxisd(-robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ())),
       joint_names_(robot.jointNames()),
       reported_(robot.jointCount(), true) {
-  report_.odometry.header.frame_id = names::kOdomFrame;
-  report_.odometry.child_frame_id = names::kFootprintFrame;
+  report_.odometry.header.frame_id = frames_.odom_frame;
+  report_.odometry.child_frame_id = frames_.base_frame;
 }
 
 const RobotReport* RobotObserver::observe(const World& world, const ros::Time& stamp) {
@@ -77,8 +78,8 @@ void RobotObserver::fillTransforms(const Eigen::Isometry3d& world_from_base, con
   const Eigen::Isometry3d odom_from_footprint = inSpace(footprint);
   const Eigen::Isometry3d footprint_from_base = odom_from_footprint.inverse() * world_from_base;
   report_.transforms = {
-      toTransformMsg(odom_from_footprint, names::kOdomFrame, names::kFootprintFrame, stamp),
-      toTransformMsg(footprint_from_base * base_from_link_, names::kFootprintFrame, base_link_,
+      toTransformMsg(odom_from_footprint, frames_.odom_frame, frames_.base_frame, stamp),
+      toTransformMsg(footprint_from_base * base_from_link_, frames_.base_frame, base_link_,
                      stamp)};
 }
 

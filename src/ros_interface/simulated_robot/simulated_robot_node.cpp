@@ -57,7 +57,7 @@ SimulatedRobotNode::SimulatedRobotNode(ros::NodeHandle& node, ros::NodeHandle& p
               options.publish_clock},
              clock_),
       commands_(robot, secondsToNs(options.command_latency_s)),
-      observer_(robot),
+      observer_(robot, options.frames),
       publisher_(node, options.publish_clock),
       command_subscriber_(node.subscribe(names::kJointCommand, kCommandQueueSize,
                                          &SimulatedRobotNode::onCommand, this,
@@ -211,7 +211,7 @@ bool SimulatedRobotNode::onReset(std_srvs::Trigger::Request&,
   verdict_ = Verdict::kWalked;
   std_msgs::Header header;
   header.stamp = timeFromNs(timer_.time_ns());
-  header.frame_id = names::kOdomFrame;
+  header.frame_id = options_.frames.odom_frame;
   reset_publisher_.publish(header);
   response.success = true;
   response.message = "The robot stands at the origin as it was started; its time goes on.";

@@ -23,6 +23,11 @@ std::vector<Option> declareOptions(SimulatedRobotOptions& options) {
       option("realtime", options.realtime,
              "Ask for a real-time priority, and go on without: a robot does not wait for other "
              "programs. At real_time_factor 1 only."),
+      option("odom_frame", options.frames.odom_frame, "Frame in which the robot tells its pose."),
+      option("base_frame", options.frames.base_frame, "The robot's footprint in tf."),
+      option("tf_prefix", options.frames.tf_prefix,
+             "In front of the base link's name in tf, with a slash, as robot_state_publisher has "
+             "it; empty: nothing."),
       option("step_s", physics.step_s, "s", "Step of the integrator.", 1e-4, 0.1),
       option("gravity_m_per_s2", physics.gravity_m_per_s2, "m/s^2", "Gravity.", 0.0, 100.0),
       option("friction_scale", physics.friction_scale, "", "Times the description's friction.", 0.0,

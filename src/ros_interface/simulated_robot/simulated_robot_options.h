@@ -5,6 +5,7 @@
 
 #include "common/options.h"
 #include "ros_interface/simulated_robot/disturbance.h"
+#include "ros_interface/simulated_robot/robot_observer.h"
 
 namespace hexapod {
 
@@ -16,6 +17,7 @@ struct SimulatedRobotOptions {
   bool publish_clock = false;
   double command_latency_s = 0.060;
   bool realtime = true;
+  RobotFrames frames;
   std::string body;         ///< as bodyFromText()
   Disturbance disturbance;  ///< from the start
 };

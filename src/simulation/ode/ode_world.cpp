@@ -148,7 +148,9 @@ class OdeRobot {
   Verdict touch(double unevenness) {
     unevenness_ = unevenness;
     uneven_values_ = 0;
-    bool fell = !(worldFromBase().translation().z() <= robot_.failure.max_base_height_m);
+    const Eigen::Isometry3d world_from_base = worldFromBase();
+    bool fell = !(world_from_base.translation().z() <= robot_.failure.max_base_height_m) ||
+                !(world_from_base.linear()(2, 2) >= 0.0);
     for (const OdeShape& shape : base_shapes_) fell |= touchFloor(shape);
     for (const OdeShape& shape : leg_shapes_) touchFloor(shape);
     if (fell) return Verdict::kFell;

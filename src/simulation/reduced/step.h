@@ -106,7 +106,8 @@ inline StepFindings<Real> advance(const ReducedModel& model, const Conditions<Re
   findContacts(model, conditions, state, work.tree, work.contacts);
   const Rotation<Real>& axes = work.tree.base.world_from_body;
   const Real height = state.base.position.z + (axes * model.base_origin).z;
-  findings.fell = work.contacts.base_touches | notMask<Real>(height <= model.max_base_height);
+  findings.fell = work.contacts.base_touches | notMask<Real>(height <= model.max_base_height) |
+                  notMask<Real>(axes.z.z >= 0.0);
   findings.collided = work.clearance.touching(model, state, work.tree);
   work.solver.solve(model, conditions, work.tree, work.contacts);
   moveBodies(model, conditions.step, work, state);

@@ -140,6 +140,30 @@ TEST_F(TimesOfARepertoire, AreRefusedWhereAJointCannotBeBackInTime) {
   EXPECT_NE(said.find("return_duration_s is 0.03"), std::string::npos) << said;
 }
 
+TEST_F(PlayableBehaviorsTest, MovesNoOtherJointsThanTheGoalNames) {
+  hexapod_repertoire::ExecuteBehaviorGoal alone;
+  alone.entry_id = -1;
+  alone.genome.assign(shippedRobot().geneCount(), 4);
+  alone.joints = {"leg_2_1_2"};
+  std::string problem;
+  const auto behavior = behaviors_.find(alone, problem);
+  ASSERT_TRUE(behavior) << problem;
+  const std::vector<double> neutral = shippedRobot().neutralPose();
+  std::vector<bool> moved(neutral.size());
+  for (std::size_t k = 0; k < behavior->commandCount(); ++k) {
+    for (std::size_t j = 0; j < neutral.size(); ++j) {
+      if (behavior->command(k)[j] != neutral[j]) moved[j] = true;
+    }
+  }
+  for (std::size_t j = 0; j < neutral.size(); ++j) EXPECT_EQ(moved[j], j == 7) << j;
+  alone.joints = {"leg_2_1_2", "leg_9_1_2"};
+  EXPECT_NE(problemOf(alone).find("Of the 2 joints"), std::string::npos);
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  hexapod_repertoire::ExecuteBehaviorGoal entry = goal(7, "run");
+  entry.joints = {"leg_2_1_2"};
+  EXPECT_NE(problemOf(entry).find("bare genomes only"), std::string::npos);
+}
+
 TEST(ExecutorNodeOptions, TheVelocityLimitIsNoOptionOfTheExecutor) {
   ExecutorNodeOptions options;
   EXPECT_TRUE(options.behavior.limit_velocity);
