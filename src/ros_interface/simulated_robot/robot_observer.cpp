@@ -79,8 +79,7 @@ void RobotObserver::fillTransforms(const Eigen::Isometry3d& world_from_base, con
   const Eigen::Isometry3d footprint_from_base = odom_from_footprint.inverse() * world_from_base;
   report_.transforms = {
       toTransformMsg(odom_from_footprint, frames_.odom_frame, frames_.base_frame, stamp),
-      toTransformMsg(footprint_from_base * base_from_link_, frames_.base_frame, base_link_,
-                     stamp)};
+      toTransformMsg(footprint_from_base * base_from_link_, frames_.base_frame, base_link_, stamp)};
 }
 
 }  // namespace hexapod

@@ -17,9 +17,10 @@ class OdeRobot;
 /// The frame of the floor has its origin where the settled robot's footprint is; after restart()
 /// the footprint is at (0, 0) with heading 0 to the rounding of the shift (1e-15 at most). A step
 /// first looks at the poses it starts from: a base shape on the floor, the base's origin above the
-/// allowed height or the base upside down is kFell, two legs touching is kSelfCollided (legs pass through each other
-/// and through the base all the same); then it drives the servos, with each hinge's angle as it is,
-/// and integrates. Every shape that touches the floor gets up to 10 contacts.
+/// allowed height or the base upside down is kFell, two legs touching is kSelfCollided (legs pass
+/// through each other and through the base all the same); then it drives the servos, with each
+/// hinge's angle as it is, and integrates. Every shape that touches the floor gets up to 10
+/// contacts.
 ///
 /// Bit-identical results whatever ran before and in whatever thread: dWorldStep draws no random
 /// numbers and keeps nothing between steps but positions, quaternions and velocities, which state()
