@@ -67,9 +67,9 @@ TEST(JointMap, ShippedMapsFitTheShippedRobot) {
   std::vector<double> wire;
   shipped.toWire(shippedRobot().neutralPose(), wire);
   EXPECT_EQ(wire, shippedRobot().neutralPose());
-  for (const std::string other : {"phantomx", "interbotix", "openshc"}) {
-    EXPECT_NO_THROW(
-        JointMap::fromYaml(contents("config/joint_map_" + other + ".yaml"), names, other));
+  for (const char* other : {"phantomx", "interbotix", "openshc"}) {
+    EXPECT_NO_THROW(JointMap::fromYaml(contents("config/joint_map_" + std::string(other) + ".yaml"),
+                                       names, other));
   }
 }
 

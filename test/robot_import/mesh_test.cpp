@@ -87,9 +87,10 @@ TEST_F(MeshTest, MeshesAreFoundByPackageAndByPath) {
   const std::string file = write("my_robot/meshes/leg.obj", kObj);
   write("my_robot/package.xml", "<package><name>legs_description</name></package>");
   const MeshFiles beside(folder_.string() + "/my_robot/urdf", "");
-  for (const std::string name : {std::string("package://my_robot/meshes/leg.obj"), "file://" + file,
-                                 file, std::string("package://legs_description/meshes/leg.obj"),
-                                 std::string("../meshes/leg.obj")}) {
+  for (const std::string& name :
+       {std::string("package://my_robot/meshes/leg.obj"), "file://" + file, file,
+        std::string("package://legs_description/meshes/leg.obj"),
+        std::string("../meshes/leg.obj")}) {
     EXPECT_EQ(beside.find(name), file) << name;
   }
   EXPECT_EQ(beside.find("package://other/meshes/leg.obj"), "");
