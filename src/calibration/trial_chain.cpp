@@ -39,7 +39,8 @@ std::vector<std::vector<Eigen::Vector3d>> TrialChain::misses(
       states[k] = imagination_->turned(states[k], trials_[t].world_from_before.yaw_rad);
       questions.push_back({physics[standing[k]], &states[k]});
     }
-    const std::vector<Imagined> imagined = imagination_->play(trials_[t].genome, questions);
+    const std::vector<Imagined> imagined =
+        imagination_->play(trials_[t].genome, questions, Imagination::Joints::kIgnored);
     for (std::size_t k = 0; k < standing.size(); ++k) {
       const std::size_t b = standing[k];
       const bool walked = imagined[k].verdict == Verdict::kWalked;

@@ -17,6 +17,10 @@ struct SeenBehavior {
 
   /// Where the behaviour led, in the frame where it began.
   Pose2 startFromEnd() const { return inverse(world_from_before) * world_from_after; }
+
+  Imagination::Joints jointsMatter() const {
+    return joints.empty() ? Imagination::Joints::kIgnored : Imagination::Joints::kWatched;
+  }
 };
 
 /// One body that the robot may have, as far as it is known.

@@ -119,7 +119,7 @@ void BodyBelief::imagineFrom(std::size_t first, const SeenBehavior& seen) {
   for (std::size_t i = first; i < bodies_.size(); ++i) {
     questions.push_back({physicsOf(bodies_[i]), &bodies_[i].state});
   }
-  std::vector<Imagined> answers = imagination_->play(seen.genome, questions);
+  std::vector<Imagined> answers = imagination_->play(seen.genome, questions, seen.jointsMatter());
   for (std::size_t i = first; i < bodies_.size(); ++i) {
     bodies_[i].imagined = std::move(answers[i - first]);
     evidence_.judge(seen, bodies_[i]);

@@ -30,6 +30,26 @@ void widen(std::vector<JointRange>& ranges, const std::vector<double>& angles_ra
   }
 }
 
+// Numbers of questions in parts of at most `most`, of the same legs each and with a start.
+std::vector<std::vector<std::size_t>> alike(const std::vector<Imagination::Question>& questions,
+                                            std::size_t most) {
+  std::vector<std::vector<std::size_t>> parts;
+  for (std::size_t i = 0; i < questions.size(); ++i) {
+    const auto takes = [&](const std::vector<std::size_t>& part) {
+      const Imagination::Question& first = questions[part.front()];
+      return part.size() < most && first.start != nullptr && questions[i].start != nullptr &&
+             first.body.legs == questions[i].body.legs;
+    };
+    const auto found = std::find_if(parts.begin(), parts.end(), takes);
+    if (found == parts.end()) {
+      parts.push_back({i});
+    } else {
+      found->push_back(i);
+    }
+  }
+  return parts;
+}
+
 }  // namespace
 
 class Imagination::Threads {
@@ -78,18 +98,46 @@ std::vector<std::optional<WorldState>> Imagination::stands(
 }
 
 std::vector<Imagined> Imagination::play(const Genome& genome,
-                                        const std::vector<Question>& questions) const {
+                                        const std::vector<Question>& questions,
+                                        Joints joints) const {
   const Behavior behavior(robot_, canonical(genome), behavior_);
   std::vector<Imagined> answers(questions.size());
-  forEach(questions.size(), [&](std::size_t i) { answers[i] = playOne(behavior, questions[i]); });
+  const std::size_t abreast = joints == Joints::kIgnored ? runsAtOnce(engine_) : 1;
+  const std::vector<std::vector<std::size_t>> parts = alike(questions, abreast);
+  forEach(parts.size(), [&](std::size_t k) {
+    if (parts[k].size() > 1) playAbreast(behavior, questions, parts[k], answers);
+    for (const std::size_t i : parts[k]) {
+      // Alone, one that fails goes on to the end.
+      if (answers[i].verdict != Verdict::kWalked) answers[i] = playOne(behavior, questions[i]);
+    }
+  });
   return answers;
+}
+
+void Imagination::playAbreast(const Behavior& behavior, const std::vector<Question>& questions,
+                              const std::vector<std::size_t>& some,
+                              std::vector<Imagined>& answers) const {
+  std::vector<BatchPhysics> bodies;
+  std::vector<BatchRun> runs;
+  for (const std::size_t i : some) {
+    runs.push_back({&behavior, questions[i].start, bodies.size()});
+    bodies.push_back({questions[i].body, *questions[i].start});
+  }
+  std::vector<BatchResult> results =
+      BatchRollout(robot_, std::move(bodies)).play(runs, behavior_.command_period_s);
+  for (std::size_t k = 0; k < some.size(); ++k) {
+    Imagined& answer = answers[some[k]];
+    answer.verdict = results[k].outcome.verdict;
+    answer.end = std::move(results[k].end);
+    answer.start_from_end = way(*questions[some[k]].start, answer.end);
+  }
 }
 
 Imagined Imagination::playOne(const Behavior& behavior, const Question& question) const {
   const auto world = makeWorld(engine_, robot_, question.body, question.start);
   const std::size_t steps = stepsPerCommand(behavior_.command_period_s, question.body.step_s);
   const std::size_t latency = latencySteps(question.body);
-  const Pose2 world_from_start = footprint(world->worldFromBase());
+  const WorldState start = world->state();
   Imagined imagined;
   imagined.verdict = Verdict::kWalked;
   std::vector<double> angles_rad;
@@ -107,9 +155,13 @@ Imagined Imagination::playOne(const Behavior& behavior, const Question& question
       return imagined;
     }
   }
-  imagined.start_from_end = inverse(world_from_start) * footprint(world->worldFromBase());
   imagined.end = world->state();
+  imagined.start_from_end = way(start, imagined.end);
   return imagined;
+}
+
+Pose2 Imagination::way(const WorldState& start, const WorldState& end) const {
+  return inverse(footprint(baseOf(robot_, start))) * footprint(baseOf(robot_, end));
 }
 
 WorldState Imagination::turned(const WorldState& state, double heading_rad) const {
@@ -130,7 +182,7 @@ std::vector<Outcome> Imagination::playAll(const std::vector<Genome>& genomes,
     for (const Behavior& behavior : behaviors) runs.push_back({&behavior, question.start});
     const auto world = makeWorld(engine_, robot_, question.body, question.start);
     const std::vector<Outcome> played = playEach(*world, runs, behavior_.command_period_s);
-    std::copy(played.begin(), played.end(), outcomes.begin() + begin);
+    std::copy(played.begin(), played.end(), outcomes.begin() + static_cast<std::ptrdiff_t>(begin));
   });
   return outcomes;
 }

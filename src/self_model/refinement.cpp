@@ -28,12 +28,13 @@ void Refinement::refine(const SeenBehavior& seen, double share, BelievedBody& bo
 }
 
 std::vector<Imagined> Refinement::imagineAt(const SeenBehavior& seen, const BelievedBody& body,
-                                            const std::vector<BodyVector>& means) const {
+                                            const std::vector<BodyVector>& means,
+                                            Imagination::Joints joints) const {
   std::vector<Imagination::Question> questions;
   for (const BodyVector& mean : means) {
     questions.push_back({physicsOf(nominal_, body.legs, mean), &body.state});
   }
-  return imagination_->play(seen.genome, questions);
+  return imagination_->play(seen.genome, questions, joints);
 }
 
 std::optional<Refinement::Slope> Refinement::slopeAt(const SeenBehavior& seen,
@@ -45,10 +46,11 @@ std::optional<Refinement::Slope> Refinement::slopeAt(const SeenBehavior& seen,
     means.push_back(body.mean + slope.root.col(j));
     means.push_back(body.mean - slope.root.col(j));
   }
-  const std::vector<Imagined> around = imagineAt(seen, body, means);
+  const std::vector<Imagined> around = imagineAt(seen, body, means, Imagination::Joints::kIgnored);
   const Pose2& middle = body.imagined.start_from_end;
   for (int j = 0; j < kBodyParameters; ++j) {
-    const Imagined &up = around[2 * j], &down = around[2 * j + 1];
+    const auto side = static_cast<std::size_t>(2 * j);
+    const Imagined &up = around[side], &down = around[side + 1];
     if (up.verdict == Verdict::kDiverged || down.verdict == Verdict::kDiverged) return std::nullopt;
     slope.change.col(j) = 0.5 * difference(up.start_from_end, down.start_from_end);
     slope.bend.col(j) =
@@ -65,7 +67,8 @@ void Refinement::step(const SeenBehavior& seen, const Slope& slope, BelievedBody
       (inverse_covariance * difference(measured, body.imagined.start_from_end));
   const std::vector<BodyVector> steps = {whole, 0.5 * whole};
   const std::vector<Imagined> ahead =
-      imagineAt(seen, body, {body.mean + slope.root * steps[0], body.mean + slope.root * steps[1]});
+      imagineAt(seen, body, {body.mean + slope.root * steps[0], body.mean + slope.root * steps[1]},
+                seen.jointsMatter());
   // What explains more and is less far from what was known.
   const Eigen::Matrix3d weight =
       (evidence_.noise() + 2.0 * slope.bend * slope.bend.transpose()).inverse();

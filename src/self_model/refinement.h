@@ -30,7 +30,8 @@ class Refinement {
 
   std::optional<Slope> slopeAt(const SeenBehavior& seen, const BelievedBody& body) const;
   std::vector<Imagined> imagineAt(const SeenBehavior& seen, const BelievedBody& body,
-                                  const std::vector<BodyVector>& means) const;
+                                  const std::vector<BodyVector>& means,
+                                  Imagination::Joints joints) const;
   void step(const SeenBehavior& seen, const Slope& slope, BelievedBody& body) const;
 
   std::shared_ptr<const Imagination> imagination_;

@@ -101,7 +101,7 @@ void WalkRun::noteWhereRobotIs(const Pose2& robot) {
 Walk::Decision WalkRun::decide() {
   walk_.setObstacles(obstacles_.look());
   goal_.is_thought_about = true;
-  const Walk::Decision decision =
+  Walk::Decision decision =
       walk_.decide(walked_.back(),
                    withinWallTime(means_.options, means_.clock, [this] { return goal_.ended(); }));
   goal_.is_thought_about = false;
