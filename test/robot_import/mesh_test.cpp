@@ -86,6 +86,7 @@ TEST_F(MeshTest, FilesThatAreNoMeshesAreRefusedByName) {
 TEST_F(MeshTest, MeshesAreFoundByPackageAndByPath) {
   const std::string file = write("my_robot/meshes/leg.obj", kObj);
   write("my_robot/package.xml", "<package><name>legs_description</name></package>");
+  write("my_robot/urdf/my.urdf", "<robot/>");
   const MeshFiles beside(folder_.string() + "/my_robot/urdf", "");
   for (const std::string& name :
        {std::string("package://my_robot/meshes/leg.obj"), "file://" + file, file,
