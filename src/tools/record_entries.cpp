@@ -12,6 +12,7 @@
 #include "repertoire/repertoire_file.h"
 #include "robot/load_robot.h"
 #include "self_model/learned_world.h"
+#include "simulation/foot.h"
 #include "simulation/kinematics.h"
 #include "simulation/recording.h"
 #include "tools/command_line.h"
@@ -24,9 +25,6 @@ constexpr const char* kUsage =
     "usage: record_entries FILE.db --entries 3,17,3 [--name value ..]\n"
     "Prints as JSON, for every command of those behaviours: the joints of each leg from body to "
     "foot [m], and whether the foot stands.\n";
-
-// A foot stands while it is no higher than this share of the base.
-constexpr double kStandingShare = 0.03;
 
 struct RecordOptions {
   std::string entries;
@@ -65,49 +63,25 @@ void print(std::ostream& out, const Eigen::Vector3d& point) {
   out << "[" << point.x() << "," << point.y() << "," << point.z() << "]";
 }
 
-/// Where a leg touches the floor: the lowest point of its last shape's middle line, and how high
-/// the shape itself reaches down there.
-struct Foot {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  double height_m = 0.0;
-};
-
-Foot footOf(const Body& body, const Eigen::Isometry3d& world_from_body) {
-  Foot foot{world_from_body.translation(), world_from_body.translation().z()};
-  for (const Shape& shape : body.shapes) {
-    const Eigen::Isometry3d world_from_shape = world_from_body * shape.body_from_shape;
-    const double half_m =
-        0.5 * (shape.kind == Shape::Kind::kBox ? shape.size_m.z() : shape.length_m);
-    for (const double end : {-half_m, half_m}) {
-      const Eigen::Vector3d place = world_from_shape * Eigen::Vector3d(0.0, 0.0, end);
-      if (place.z() < foot.place.z()) foot.place = place;
-    }
-    foot.height_m = std::min(foot.height_m, lowestPoint(shape, world_from_shape));
-  }
-  return foot;
-}
-
 /// {"legs": [[joints of the first leg, and its foot], ..], "stands": [true, ..]}
-void print(std::ostream& out, const RobotDescription& robot, const RecordedPose& pose,
+void print(std::ostream& out, const RobotDescription& robot, RecordedPose pose,
            const Eigen::Isometry3d& world_from_frame) {
-  const Eigen::Isometry3d world_from_base = world_from_frame * pose.world_from_base;
+  pose.world_from_base = world_from_frame * pose.world_from_base;
   const std::vector<Eigen::Isometry3d> base_from_bodies = baseFromBodies(robot, pose.angles_rad);
-  const double standing_m = kStandingShare * standingHeight(robot);
+  const std::vector<Foot> feet = feetOf(robot, pose);
+  const double standing_m = standingFootHeight(robot);
   std::ostringstream stands;
   std::size_t body = 1;
   out << "{\"legs\":[";
   for (std::size_t i = 0; i < robot.legs.size(); ++i) {
     out << (i == 0 ? "[" : ",[");
-    Foot foot;
-    for (const Segment& segment : robot.legs[i].segments) {
-      const Eigen::Isometry3d world_from_body = world_from_base * base_from_bodies[body++];
-      print(out, world_from_body.translation());
+    for (std::size_t k = 0; k < robot.legs[i].segments.size(); ++k) {
+      print(out, pose.world_from_base * base_from_bodies[body++].translation());
       out << ",";
-      foot = footOf(segment.body, world_from_body);
     }
-    print(out, foot.place);
+    print(out, feet[i].place);
     out << "]";
-    stands << (i == 0 ? "" : ",") << (foot.height_m < standing_m ? "true" : "false");
+    stands << (i == 0 ? "" : ",") << (feet[i].height_m < standing_m ? "true" : "false");
   }
   out << "],\"stands\":[" << stands.str() << "]}";
 }

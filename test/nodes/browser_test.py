@@ -7,7 +7,7 @@ import pytest
 rospy = pytest.importorskip("rospy")
 # pylint: disable=wrong-import-position
 from hexapod_repertoire.msg import ExecutorState, Repertoire, RepertoireFilter, StepReport
-from hexapod_repertoire.srv import ChooseEntry, LoadRepertoire
+from hexapod_repertoire.srv import ChooseEntry, ExcludeEntry, LoadRepertoire
 from sensor_msgs.msg import JointState
 from visualization_msgs.msg import (InteractiveMarkerFeedback, InteractiveMarkerInit, MarkerArray)
 
@@ -73,7 +73,8 @@ def test_everything_is_drawn_and_can_be_clicked(session):
         lambda m: m.markers, "something to click")
     control = handles.markers[0].controls[0]
     assert len(control.markers[0].points) == len(entries)
-    assert [entry.title for entry in handles.markers[0].menu_entries] == ["Play it", "Look at it"]
+    assert [entry.title for entry in handles.markers[0].menu_entries] == [
+        "Play it", "Look at it", "Show its gait", "Show its neighbours", "Do not use it"]
     drawn = Ear("repertoire_markers", MarkerArray).wait(lambda m: m.markers, "markers")
     assert len(drawn.markers[0].points) == len(entries)
     assert {"robot_outline", "region_of_interest", "legend", "figures"} <= {
@@ -120,6 +121,38 @@ def test_what_the_filter_leaves_out_is_neither_drawn_nor_clicked(session):
     drawn.wait(lambda array: len(array.markers[0].points) == everything, "all markers again")
 
 
+def right_click(clicks, entry, item):
+    click(clicks, (expected(entry).x, expected(entry).y), InteractiveMarkerFeedback.MENU_SELECT, item)
+
+
+def test_the_menu_shows_the_gait_and_the_neighbours(session, clicks):
+    drawn = Ear("entry_markers", MarkerArray)
+    entry = repertoire_of(session)[3]
+    right_click(clicks, entry, 3)
+    drawn.wait(lambda array: any(marker.ns == "gait" and f"entry {entry.id}:" in marker.text
+                                 for marker in array.markers), "the gait")
+    right_click(clicks, entry, 4)
+    drawn.wait(lambda array: any("neighbours" in marker.text for marker in array.markers),
+               "the neighbours")
+
+
+def test_an_entry_that_is_not_to_be_used_is_gone_and_the_file_remembers(session, clicks):
+    repertoire = Ear("repertoire", Repertoire)
+    before = repertoire.wait(lambda _: True, "the repertoire").entries
+    entry = before[4]
+    right_click(clicks, entry, 5)
+    repertoire.wait(lambda m: {e.id for e in before} - {e.id for e in m.entries} == {entry.id},
+                    "a repertoire without the entry")
+    words = rospy.ServiceProxy("repertoire_server/load", LoadRepertoire)(
+        file=str(session.folder / "small.db"))
+    assert "without 1" in words.message
+    exclude = rospy.ServiceProxy("repertoire_server/exclude", ExcludeEntry)
+    assert exclude(entry_id=entry.id, exclude=False).success
+    assert len(Ear("repertoire", Repertoire).wait(
+        lambda m: len(m.entries) == len(before), "all entries again").entries) == len(before)
+    assert not exclude(entry_id=-7, exclude=True).success
+
+
 def test_another_file_is_published_and_one_that_cannot_be_changes_nothing(session):
     rospy.wait_for_service("repertoire_server/load", WALL_TIMEOUT_S)
     load = rospy.ServiceProxy("repertoire_server/load", LoadRepertoire)
@@ -135,7 +168,7 @@ def test_the_entry_that_was_clicked_is_executed_and_ends_as_predicted(session, c
     # What scatters more than this in validation is no promise.
     steady = [entry for entry in repertoire_of(session)
               if entry.falls == 0 and entry.spread_m < 0.004]
-    for number, entry in enumerate(random.Random(1).sample(steady, CLICKS), start=1):
+    for number, entry in enumerate(random.Random(1).choices(steady, k=CLICKS), start=1):
         click(clicks, (expected(entry).x + 0.002, expected(entry).y - 0.002))
         report = reports.wait(lambda r, n=number: r.step == n, f"the end of behaviour {number}")
         assert report.entry_id == entry.id

@@ -29,9 +29,14 @@ ArchiveHandle::ArchiveHandle(const std::string& topic, std::string frame,
       buffer_(buffer),
       on_click_(std::move(on_click)),
       server_(topic, "", false) {
-  menu_.insert("Play it", [this](const Feedback& feedback) { receive(Wish::kPlay, feedback); });
-  menu_.insert("Look at it",
-               [this](const Feedback& feedback) { receive(Wish::kLookAt, feedback); });
+  const std::pair<const char*, Wish> entries[] = {{"Play it", Wish::kPlay},
+                                                  {"Look at it", Wish::kLookAt},
+                                                  {"Show its gait", Wish::kGait},
+                                                  {"Show its neighbours", Wish::kNeighbours},
+                                                  {"Do not use it", Wish::kExclude}};
+  for (const auto& [title, wish] : entries) {
+    menu_.insert(title, [this, wish = wish](const Feedback& feedback) { receive(wish, feedback); });
+  }
 }
 
 void ArchiveHandle::show(const Repertoire& repertoire) {

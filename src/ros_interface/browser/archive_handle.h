@@ -14,11 +14,12 @@ namespace hexapod {
 /// The end points of a repertoire as something to click in rviz: one interactive marker whatever
 /// the number of entries, which tells where it was clicked.
 ///
-/// A left click plays the entry, a right click opens a menu: play it, or look at it. Callbacks come
+/// A left click plays the entry, a right click opens a menu: play it, look at it, its gait, its
+/// neighbours, do not use it. Callbacks come
 /// by the global callback queue.
 class ArchiveHandle {
  public:
-  enum class Wish { kPlay, kLookAt };
+  enum class Wish { kPlay, kLookAt, kGait, kNeighbours, kExclude };
   /// A place in the frame of the handle [m].
   using OnClick = std::function<void(Wish wish, double x_m, double y_m)>;
 

@@ -9,11 +9,13 @@
 #include <limits>
 #include <utility>
 
+#include "hexapod_repertoire/ExcludeEntry.h"
 #include "hexapod_repertoire/StepReport.h"
 #include "ros_interface/browser/entry_choice.h"
+#include "ros_interface/browser/entry_recording.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
-#include "ros_interface/display/entry_markers.h"
+#include "ros_interface/display/gait_markers.h"
 #include "ros_interface/display/markers.h"
 #include "ros_interface/display/scene_markers.h"
 
@@ -21,8 +23,14 @@ namespace hexapod {
 namespace {
 
 constexpr char kOriginFrame[] = "repertoire_origin";
+constexpr char kOtherRobot[] =
+    "The repertoire was learned for another robot than that of robot_config.";
 constexpr char kHandleTopic[] = "repertoire_handles";
 constexpr double kPoll_s = 0.05;
+constexpr std::size_t kNeighbours = 5;
+// The diagram of a gait, behind the texts beside the repertoire.
+constexpr double kGaitAhead_m = -0.2;
+constexpr double kGaitWider_m = 0.2;
 constexpr double kHistory_s = 10.0;
 // A click so far from every end means none of them.
 constexpr double kClickReach_m = 0.05;
@@ -58,6 +66,7 @@ BrowserNode::BrowserNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
   filter_subscriber_ =
       node.subscribe(names::kRepertoireFilter, 1, &BrowserNode::receiveFilter, this);
   choose_ = private_node.advertiseService("choose", &BrowserNode::onChoose, this);
+  exclude_ = node.serviceClient<hexapod_repertoire::ExcludeEntry>("repertoire_server/exclude");
 }
 
 void BrowserNode::makeRobotPlayer(ros::NodeHandle& node) {
@@ -110,7 +119,9 @@ void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& messag
   const Entry& entry = repertoire_.entries[*best];
   if (best_ == entry.id) return;
   best_ = entry.id;
-  show(entry, origin_, {}, playOnModel(entry));
+  EntryPicture picture = pictureOf(entry);
+  picture.remark = playOnModel(entry);
+  show(picture);
 }
 
 void BrowserNode::receiveFilter(const hexapod_repertoire::RepertoireFilter::ConstPtr& message) {
@@ -152,7 +163,26 @@ bool BrowserNode::onChoose(hexapod_repertoire::ChooseEntry::Request& request,
 
 void BrowserNode::onClick(ArchiveHandle::Wish wish, double x_m, double y_m) {
   const auto found = entryNear(shown_.entries, x_m, y_m, kClickReach_m);
-  if (found) choose(shown_.entries[*found], wish == ArchiveHandle::Wish::kPlay);
+  if (!found) return;
+  const Entry entry = shown_.entries[*found];
+  EntryPicture picture = pictureOf(entry);
+  switch (wish) {
+    case ArchiveHandle::Wish::kPlay:
+    case ArchiveHandle::Wish::kLookAt:
+      choose(entry, wish == ArchiveHandle::Wish::kPlay);
+      return;
+    case ArchiveHandle::Wish::kGait:
+      show(picture);
+      showGait(entry);
+      return;
+    case ArchiveHandle::Wish::kNeighbours:
+      picture.neighbours = neighboursOf(shown_.entries, entry, kNeighbours);
+      break;
+    case ArchiveHandle::Wish::kExclude:
+      picture.remark = exclude(entry);
+      break;
+  }
+  show(picture);
 }
 
 /// Shows an entry and plays it if asked; returns why it is not played, or "".
@@ -163,14 +193,43 @@ std::string BrowserNode::choose(const Entry& entry, bool play) {
     remark = model_ ? playOnModel(entry) : player_->play(repertoire_.run_id, entry);
   }
   if (!remark.empty()) ROS_WARN_STREAM("Entry " << entry.id << " is not played: " << remark);
-  show(entry, origin_, {}, remark);
+  EntryPicture picture = pictureOf(entry);
+  picture.remark = remark;
+  show(picture);
   return remark;
+}
+
+void BrowserNode::showGait(const Entry& entry) {
+  if (repertoire_.robot_id != robot_.digest) {
+    ROS_WARN_STREAM(kOtherRobot);
+    return;
+  }
+  GaitPicture gait = gaitOf(robot_, recordEntry(robot_, *learned_, entry.genome),
+                            learned_->behavior.command_period_s);
+  gait.title = "entry " + std::to_string(entry.id);
+  const Pose2 corner{kGaitAhead_m, roomBeside_m(robot_) + kGaitWider_m, 0.0};
+  entry_publisher_.publish(gaitMarkers(gait, options_.pose.global_frame, origin_ * corner));
+}
+
+/// Has the file's server leave an entry out; returns what became of it.
+std::string BrowserNode::exclude(const Entry& entry) {
+  hexapod_repertoire::ExcludeEntry call;
+  call.request.entry_id = entry.id;
+  call.request.exclude = static_cast<std::uint8_t>(true);
+  if (!exclude_.exists() || !exclude_.call(call)) {
+    return "Only of a stored repertoire (./run view, ./run walk) can entries be left out.";
+  }
+  return call.response.message;
+}
+
+EntryPicture BrowserNode::pictureOf(const Entry& entry) const {
+  return {options_.pose.global_frame, origin_, entry, {}, "", {}, roomBeside_m(robot_)};
 }
 
 /// Empty, or why not.
 std::string BrowserNode::playOnModel(const Entry& entry) {
   if (repertoire_.robot_id != robot_.digest) {
-    return "The repertoire was learned for another robot than that of robot_config.";
+    return kOtherRobot;
   }
   model_->play(*learned_, entry.genome);
   return "";
@@ -180,7 +239,13 @@ void BrowserNode::tell(const RobotPlayer::Report& report) {
   if (!report.problem.empty()) {
     ROS_WARN_STREAM("Entry " << report.entry.id << ": " << report.problem);
   }
-  show(report.entry, report.start.value_or(Pose2()), report.reached, report.problem);
+  show({options_.pose.global_frame,
+        report.start.value_or(Pose2()),
+        report.entry,
+        report.reached,
+        report.problem,
+        {},
+        roomBeside_m(robot_)});
   if (!report.start || !report.reached) return;
   const Pose2 predicted = *report.start * report.entry.expectedPose();
   hexapod_repertoire::StepReport step;
@@ -196,10 +261,12 @@ void BrowserNode::tell(const RobotPlayer::Report& report) {
   step_publisher_.publish(step);
 }
 
-void BrowserNode::show(const Entry& entry, const Pose2& start, const std::optional<Pose2>& reached,
-                       const std::string& remark) {
-  entry_publisher_.publish(entryMarkers(
-      {options_.pose.global_frame, start, entry, reached, remark, roomBeside_m(robot_)}));
+/// The diagram of another entry's gait goes.
+void BrowserNode::show(const EntryPicture& picture) {
+  visualization_msgs::MarkerArray array = entryMarkers(picture);
+  const auto gone = noGaitMarkers(robot_.legs.size(), picture.frame);
+  array.markers.insert(array.markers.end(), gone.markers.begin(), gone.markers.end());
+  entry_publisher_.publish(array);
 }
 
 }  // namespace hexapod

@@ -20,6 +20,7 @@
 #include "ros_interface/browser/browser_options.h"
 #include "ros_interface/browser/model_player.h"
 #include "ros_interface/browser/robot_player.h"
+#include "ros_interface/display/entry_markers.h"
 #include "ros_interface/robot_client/executor_topics.h"
 #include "ros_interface/robot_client/tf_pose_source.h"
 #include "ros_interface/robot_client/transform_ears.h"
@@ -49,11 +50,13 @@ class BrowserNode {
                 hexapod_repertoire::ChooseEntry::Response& response);
   void showRepertoire();
   std::string choose(const Entry& entry, bool play);
+  void showGait(const Entry& entry);
+  std::string exclude(const Entry& entry);
+  EntryPicture pictureOf(const Entry& entry) const;
   void onClick(ArchiveHandle::Wish wish, double x_m, double y_m);
   std::string playOnModel(const Entry& entry);
   void tell(const RobotPlayer::Report& report);
-  void show(const Entry& entry, const Pose2& start, const std::optional<Pose2>& reached,
-            const std::string& remark);
+  void show(const EntryPicture& picture);
   void standAt(const Pose2& pose);
   void followRobot();
   void makeRobotPlayer(ros::NodeHandle& node);
@@ -85,6 +88,7 @@ class BrowserNode {
   ros::Subscriber state_subscriber_;
   ros::Subscriber filter_subscriber_;
   ros::ServiceServer choose_;
+  ros::ServiceClient exclude_;
 };
 
 }  // namespace hexapod

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "geometry/arc.h"
 
@@ -19,6 +20,19 @@ std::optional<std::size_t> entryNear(const std::vector<Entry>& entries, double x
     least_m = apart_m;
   }
   return nearest;
+}
+
+std::vector<Entry> neighboursOf(const std::vector<Entry>& entries, const Entry& entry,
+                                std::size_t count) {
+  std::vector<Entry> others;
+  std::copy_if(entries.begin(), entries.end(), std::back_inserter(others),
+               [&](const Entry& other) { return other.id != entry.id; });
+  std::stable_sort(others.begin(), others.end(), [&](const Entry& a, const Entry& b) {
+    return distance(entry.expectedPose(), a.expectedPose()) <
+           distance(entry.expectedPose(), b.expectedPose());
+  });
+  others.resize(std::min(count, others.size()));
+  return others;
 }
 
 std::optional<std::size_t> bestEntry(const std::vector<Entry>& entries) {

@@ -9,6 +9,10 @@
 
 namespace hexapod {
 
+/// The entries, as many as `count`, that end nearest to where another one does; nearest first.
+std::vector<Entry> neighboursOf(const std::vector<Entry>& entries, const Entry& entry,
+                                std::size_t count);
+
 /// Index of the entry whose expected end is nearest to a point [m], in the frame of the start; none
 /// when all are farther than `within_m`. Of equally near ones the first.
 std::optional<std::size_t> entryNear(const std::vector<Entry>& entries, double x_m, double y_m,

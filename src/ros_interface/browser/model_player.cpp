@@ -7,6 +7,7 @@
 #include <exception>
 #include <utility>
 
+#include "ros_interface/browser/entry_recording.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
 #include "simulation/kinematics.h"
@@ -22,13 +23,6 @@ RecordedPose standing(const RobotDescription& robot) {
   pose.world_from_base = Eigen::Translation3d(0.0, 0.0, standingHeight(robot));
   pose.angles_rad = robot.neutralPose();
   return pose;
-}
-
-Recording simulated(const RobotDescription& robot, const LearnedWorld& learned,
-                    const Genome& genome) {
-  const auto world = makeWorld(chooseEngine("reduced", robot).engine, robot, learned.physics);
-  const Behavior behavior(robot, canonical(genome), learned.behavior);
-  return record(*world, behavior, learned.behavior.command_period_s);
 }
 
 }  // namespace
@@ -81,7 +75,7 @@ void ModelPlayer::work() {
       continue;
     }
     try {
-      if (recording.poses.empty()) recording = simulated(robot_, order->learned, order->genome);
+      if (recording.poses.empty()) recording = recordEntry(robot_, order->learned, order->genome);
       show(recording, order->learned.behavior.command_period_s);
     } catch (const std::exception& error) {
       ROS_ERROR_STREAM("The behaviour cannot be shown: " << error.what());

@@ -1,7 +1,9 @@
 #include "ros_interface/display/entry_markers.h"
 
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "common/text.h"
 #include "geometry/arc.h"
@@ -62,6 +64,32 @@ Marker headingOf(const Pose2& pose, const std::string& frame, int id,
   return arrow;
 }
 
+/// Thin rings in one marker.
+Marker ringsAround(const EntryPicture& picture) {
+  Marker rings = marker(picture.frame, "entry", 5, Marker::LINE_LIST, 0.004);
+  rings.color = color(0.2, 0.2, 0.2);
+  for (const Entry& neighbour : picture.neighbours) {
+    const Marker ring = ringAround(picture.start * neighbour.expectedPose(), picture.frame);
+    for (std::size_t i = 1; i < ring.points.size(); ++i) {
+      rings.points.push_back(ring.points[i - 1]);
+      rings.points.push_back(ring.points[i]);
+    }
+  }
+  return shown(rings);
+}
+
+/// A line each: how far it ends, and its orientation error.
+std::string neighboursInWords(const EntryPicture& picture) {
+  std::string text = "neighbours, how far, their errors:";
+  for (const Entry& neighbour : picture.neighbours) {
+    const Pose2& end = neighbour.expectedPose();
+    text += "\n" + std::to_string(neighbour.id) + ": " +
+            fixedText(100.0 * distance(picture.entry.expectedPose(), end), 1) + " cm, " +
+            inDegrees(orientationError(end), 1);
+  }
+  return text;
+}
+
 std::string difference(const Pose2& expected, const Pose2& reached) {
   return "reached: " + fixedText(100.0 * distance(expected, reached), 1) + " cm and " +
          inDegrees(headingDistance(expected, reached), 1) + " from there";
@@ -97,12 +125,14 @@ visualization_msgs::MarkerArray entryMarkers(const EntryPicture& picture) {
   } else {
     reached.action = Marker::DELETE;
   }
+  if (!picture.neighbours.empty()) text += "\n" + neighboursInWords(picture);
   if (!picture.remark.empty()) text += "\n" + picture.remark;
   Marker words = textMarker(picture.frame, "entry", 4, text, kTextHeight_m);
   // Beside the robot and its repertoire, where nothing else is.
   const Pose2 place = picture.start * Pose2{0.0, picture.beside_m, 0.0};
   words.pose.position = point(place.x_m, place.y_m, 0.1);
   array.markers.push_back(reached);
+  array.markers.push_back(ringsAround(picture));
   array.markers.push_back(words);
   return array;
 }

@@ -39,5 +39,17 @@ TEST(BestEntry, IsNoneThatFellInItsValidation) {
   EXPECT_EQ(bestEntry({fallen, entryTo(2, {0.1, 0.0, 0.0})}), 1u);
 }
 
+TEST(EntryChoice, NeighboursAreTheNearestOthersNearestFirst) {
+  std::vector<Entry> entries(4);
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    entries[i].id = static_cast<std::int64_t>(i) + 1;
+    entries[i].end_pose.x_m = 0.1 * static_cast<double>(i * i);  // 0, 0.1, 0.4, 0.9
+  }
+  std::vector<std::int64_t> ids;
+  for (const Entry& entry : neighboursOf(entries, entries[2], 2)) ids.push_back(entry.id);
+  EXPECT_EQ(ids, (std::vector<std::int64_t>{2, 1}));
+  EXPECT_EQ(neighboursOf(entries, entries[0], 9).size(), 3u);
+}
+
 }  // namespace
 }  // namespace hexapod

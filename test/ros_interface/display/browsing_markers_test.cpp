@@ -7,6 +7,7 @@
 
 #include "robot/load_robot.h"
 #include "ros_interface/display/entry_markers.h"
+#include "ros_interface/display/gait_markers.h"
 #include "ros_interface/display/markers.h"
 #include "ros_interface/display/scene_markers.h"
 
@@ -105,6 +106,51 @@ TEST(RepertoireMarkers, OfTenThousandEntriesAreLessThanFiveMegabytes) {
   repertoire.entries.resize(10000);
   const MarkerArray array = repertoireMarkers(repertoire, "odom");
   EXPECT_LT(ros::serialization::serializationLength(array), 5'000'000u);
+}
+
+TEST(GaitMarkers, HaveABarForEachTimeThatAFootStands) {
+  GaitPicture picture;
+  picture.title = "entry 3";
+  picture.legs = {"left", "right"};
+  picture.period_s = 0.5;
+  picture.stands = {{true, false}, {true, true}, {false, true}, {true, true}};
+  const MarkerArray array = gaitMarkers(picture, "odom", Pose2{1.0, 2.0, 0.0});
+  expectDrawable(array);
+  // The left foot stands twice, the right one once: two ends each.
+  const Marker& bars = named(array, "gait", 0);
+  ASSERT_EQ(bars.points.size(), 6u);
+  // A quarter of the time is a quarter of the width, to the right.
+  const double width_m = bars.points[4].y - bars.points[5].y;
+  EXPECT_NEAR(bars.points[0].y - bars.points[1].y, width_m * 2.0 / 3.0, 1e-9);
+  EXPECT_DOUBLE_EQ(bars.points[0].y, 2.0);
+  EXPECT_LT(bars.points[4].x, bars.points[0].x);
+  EXPECT_EQ(named(array, "gait", 1).text, "left");
+  EXPECT_NE(named(array, "gait", 3).text.find("2.0 s"), std::string::npos);
+}
+
+TEST(GaitMarkers, AreTakenAwayAllOfThem) {
+  const RobotDescription robot = shippedRobot();
+  GaitPicture picture;
+  for (const Leg& leg : robot.legs) picture.legs.push_back(leg.name);
+  const MarkerArray drawn = gaitMarkers(picture, "odom", {});
+  const MarkerArray gone = noGaitMarkers(robot.legs.size(), "odom");
+  for (const Marker& marker : drawn.markers) {
+    EXPECT_EQ(named(gone, marker.ns, marker.id).action, Marker::DELETE);
+  }
+}
+
+TEST(EntryMarkers, RingAndNameTheNeighbours) {
+  EntryPicture picture;
+  picture.frame = "odom";
+  picture.entry.end_pose = {0.5, 0.0, 0.0};
+  Entry neighbour;
+  neighbour.id = 12;
+  neighbour.end_pose = {0.5, 0.04, 0.16};
+  picture.neighbours = {neighbour};
+  const MarkerArray array = entryMarkers(picture);
+  expectDrawable(array);
+  EXPECT_FALSE(named(array, "entry", 5).points.empty());
+  EXPECT_NE(named(array, "entry", 4).text.find("12: 4.0 cm"), std::string::npos);
 }
 
 }  // namespace
