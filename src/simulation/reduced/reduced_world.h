@@ -24,7 +24,7 @@ class Stepper;
 /// hinges and motors are rigid where ODE has them compliant by joint_cfm; a base lying on the floor
 /// rests on all its corners, ODE's on at most four. Works without memory between steps, so results
 /// depend on state and targets alone; const functions may be called from any thread.
-class ReducedWorld : public World {
+class ReducedWorld final : public World {
  public:
   /// Throws std::invalid_argument (physics out of range, a robot that is not covered) or
   /// std::runtime_error (the robot does not stand in its neutral pose). With `settled` nothing is
