@@ -49,7 +49,7 @@ std::optional<Refinement::Slope> Refinement::slopeAt(const SeenBehavior& seen,
   const std::vector<Imagined> around = imagineAt(seen, body, means, Imagination::Joints::kIgnored);
   const Pose2& middle = body.imagined.start_from_end;
   for (int j = 0; j < kBodyParameters; ++j) {
-    const auto side = static_cast<std::size_t>(2 * j);
+    const std::size_t side = 2 * static_cast<std::size_t>(j);
     const Imagined &up = around[side], &down = around[side + 1];
     if (up.verdict == Verdict::kDiverged || down.verdict == Verdict::kDiverged) return std::nullopt;
     slope.change.col(j) = 0.5 * difference(up.start_from_end, down.start_from_end);
