@@ -13,7 +13,7 @@ namespace hexapod {
 struct SteadinessOptions {
   double max_spread_m = 0.006;
   double max_spread_rad = 0.02;
-  std::int64_t least_entries = 500;  ///< rather take the steadiest beyond the limits than fewer
+  std::int64_t least_entries = 1000;  ///< rather take the steadiest beyond the limits than fewer
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

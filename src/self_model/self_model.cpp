@@ -67,6 +67,7 @@ SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
                      const SelfModelOptions& options, const std::optional<Physics>& told)
     : imagination_(std::make_shared<Imagination>(
           robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
+      steadiness_(options.steadiness),
       belief_(told ? BodyBelief(imagination_, *told)
                    : BodyBelief(imagination_, learned.physics, options.belief)),
       first_belief_(belief_),
@@ -79,6 +80,7 @@ SelfModel::SelfModel(const SelfModel& other)
 
 SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
     : imagination_(other.imagination_),
+      steadiness_(other.steadiness_),
       belief_(other.belief_),
       first_belief_(other.first_belief_),
       heading_rad_(other.heading_rad_),
@@ -186,8 +188,9 @@ std::shared_ptr<const Repertoire> SelfModel::expected(
 }
 
 std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoire) {
+  const std::vector<std::size_t> entries = steadyEntries(repertoire.entries, steadiness_);
   std::vector<Genome> genomes;
-  for (const Entry& entry : repertoire.entries) genomes.push_back(entry.genome);
+  for (const std::size_t entry : entries) genomes.push_back(repertoire.entries[entry].genome);
   std::vector<Mixture> ends(genomes.size());
   std::vector<bool> fails(genomes.size(), false);
   const Pose2 heading{0.0, 0.0, heading_rad_};
@@ -208,14 +211,15 @@ std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoir
     }
   }
   auto expected = std::make_shared<Repertoire>(repertoire);
+  for (Entry& entry : expected->entries) entry.execution = Execution{{}, 0.0, 0.0, kTrials, 1};
   for (std::size_t i = 0; i < genomes.size(); ++i) {
     // Half of what the start states scattered it by remains when the start state is known.
-    const Execution stored = repertoire.entries[i].execution.value_or(Execution{});
+    const Execution stored = repertoire.entries[entries[i]].execution.value_or(Execution{});
     Execution execution =
         ends[i].execution(square_m2_ / count_ + std::pow(0.5 * stored.spread_m, 2),
                           square_rad2_ / count_ + std::pow(0.5 * stored.spread_rad, 2));
     execution.falls = fails[i] ? 1 : 0;
-    expected->entries[i].execution = execution;
+    expected->entries[entries[i]].execution = execution;
   }
   return expected;
 }

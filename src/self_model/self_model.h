@@ -7,6 +7,7 @@
 
 #include "planning/deviation.h"
 #include "planning/foresight.h"
+#include "repertoire/steadiness.h"
 #include "self_model/body_belief.h"
 #include "self_model/learned_world.h"
 
@@ -15,6 +16,7 @@ namespace hexapod {
 /// How a robot simulates itself.
 struct SelfModelOptions {
   BeliefOptions belief;
+  SteadinessOptions steadiness;  ///< of the entries that are imagined, the planner's
   std::string engine = "reduced";
   int threads = 0;  ///< 0: as many as the machine has cores
 };
@@ -26,9 +28,9 @@ struct SelfModelOptions {
 /// The repertoire is played in the most likely bodies, each from the state in which the last
 /// behaviour is thought to have left it: exact for the next behaviour, as good as any start for
 /// those after it, which follow() imagines in their order. What fails in a body that is not
-/// unlikely is left out. Spreads come from how far bodies disagree, and from how far the expected
-/// end poses were off so far. What no body explains, all behaviours alike, is learned as a
-/// Deviation of what the most likely body does.
+/// unlikely is left out, and so is what the planner would not use. Spreads come from how far bodies
+/// disagree, and from how far the expected end poses were off so far. What no body explains, all
+/// behaviours alike, is learned as a Deviation of what the most likely body does.
 class SelfModel : public Foresight {
  public:
   /// With `told`, the robot has that body for sure; nothing is believed, the repertoire is played
@@ -70,6 +72,7 @@ class SelfModel : public Foresight {
   SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>& lock_of_other);
 
   const std::shared_ptr<const Imagination> imagination_;
+  const SteadinessOptions steadiness_;
   mutable std::mutex mutex_;
   BodyBelief belief_;
   const BodyBelief first_belief_;

@@ -17,11 +17,12 @@ std::vector<Option> declareOptions(PlannerNodeOptions& options) {
              "that explains what was walked, and plan with what it makes of the "
              "repertoire (needs robot_config).",
              {Adaptation::kNone, Adaptation::kSelfModel}));
-  all.push_back(option("relearn_below", options.relearn_below, "",
-                       "With adaptation self_model: where the believed body leaves less than this "
-                       "share of the entries, more are learned for it in the background, and "
-                       "planned with as long as it is believed. 0: never.",
-                       0.0, 1.0));
+  all.push_back(option(
+      "relearn_below", options.relearn_below, "",
+      "With adaptation self_model: where the believed body leaves less than this "
+      "share of the entries that are planned with, more are learned for it in the background, and "
+      "planned with as long as it is believed. 0: never.",
+      0.0, 1.0));
   all.push_back(option("relearn_evaluations", options.relearn_evaluations,
                        "Behaviours evaluated to learn for a believed body.", std::int64_t{1},
                        std::int64_t{1000000000}));

@@ -46,8 +46,9 @@ std::string Relearner::look(const std::optional<Physics>& body) {
   if (learning_) return learned_ ? take() : "";
   // One try for a body: what it led to is in use, or was no better.
   if (!body || !legs_.empty() || !robot_ || robot_->digest != repertoire.robot_id) return "";
-  const auto all = static_cast<double>(repertoire.entries.size());
-  if (static_cast<double>(usable(*published)) >= options_.relearn_below * all) return "";
+  const std::size_t steady = steadyEntries(repertoire.entries, options_.planner.steadiness).size();
+  const double enough = options_.relearn_below * static_cast<double>(steady);
+  if (static_cast<double>(usable(*published)) >= enough) return "";
   return begin(*published, *body);
 }
 
@@ -58,7 +59,8 @@ std::string Relearner::begin(const AdaptivePlanner& published, const Physics& bo
   learning_ = true;
   thread_ = std::thread(&Relearner::learn, this, repertoire, body);
   return "With " + bodyText() + ", " + count(usable(published)) + " of " +
-         count(repertoire.entries.size()) + " entries are left; more are learned for this body.";
+         count(steadyEntries(repertoire.entries, options_.planner.steadiness).size()) +
+         " entries are left; more are learned for this body.";
 }
 
 void Relearner::learn(const Repertoire& repertoire, const Physics& body) {

@@ -53,8 +53,11 @@ WalkReport WalkRun::run() {
 }
 
 bool WalkRun::awaitRest() {
-  const auto ready = means_.player.awaitReady(goal_.stops, [this] { return goal_.ended(); });
+  const auto ready = means_.player.awaitReady(
+      goal_.stops, [this] { return goal_.ended() || !means_.poses.latest().pose; });
   if (goal_.ended()) return false;
+  // A pose that is lost is told at once, by whoever reads it next.
+  if (ready.end == BehaviorPlayer::End::kCancelled) return true;
   if (ready.end != BehaviorPlayer::End::kPlayed) {
     end(codeOf(ready.end), "The walk ended, no behaviour is played: " + ready.message);
     return false;

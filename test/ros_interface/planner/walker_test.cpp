@@ -133,6 +133,16 @@ TEST_F(WalkerTest, JudgesWhereTheRobotIsWhenItStandsNotWhereItPasses) {
   EXPECT_LE(distance(*poses_.latest().pose, {0.0, 0.0, 0.0}), options_.planner.xy_tolerance_m);
 }
 
+TEST_F(WalkerTest, APoseThatIsLostWhileTheRobotComesToRestIsToldAtOnce) {
+  player_.returning = true;
+  Client client;
+  submit(client, goalAt(1.0, 0.0, 0.0));
+  client.waitForAcceptance();
+  poses_.set({std::nullopt, "The robot's pose is lost."});
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::POSE_LOST);
+  EXPECT_EQ(player_.begun, 0);
+}
+
 TEST_F(WalkerTest, ACancelWhileTheRobotComesToRestIsNotLost) {
   player_.returning = true;
   Client client;
