@@ -161,7 +161,7 @@ class ExecutorFaults(unittest.TestCase):
 
     def test_plays_entries_of_the_repertoire_and_of_no_other_run_or_robot(self):
         self.publish(self.repertoire(robot_id="0123"), "learned for the robot 0123")
-        self.publish(self.repertoire(behavior_duration_s=3.0), "behaviours take 3.0")
+        self.publish(self.repertoire(behavior_duration_s=3.0), "behaviours take 3 s")
         self.publish(self.repertoire(behavior_duration_s=math.nan), "behaviours take nan")
         self.publish(self.repertoire(joint_names=rs.JOINTS[:17]), "joint names")
         for genome in ([1] * 23, [5] * 24):

@@ -44,8 +44,9 @@ def test_behaviours_follow_each_other_and_end_about_where_they_are_predicted_to(
     learned = [stored.entries[name][row] for name in ("executed_x_m", "executed_y_m")]
     assert first.predicted[:2] == pytest.approx(learned, abs=1e-4)
     assert np.hypot(*np.subtract(first.end[:2], learned)) < 0.1
-    # It begins standing on all feet, and walks by lifting them.
-    assert first.stands[0].all() and not first.stands.all()
+    # It begins standing, a first foot may be on its way up already, and walks by lifting them all.
+    assert first.stands[0].sum() >= len(recording.legs) - 1
+    assert first.stands.any(axis=0).all() and not first.stands.all(axis=0).any()
     assert np.abs(first.chains[:, :, -1, 2][first.stands]).max() < 0.05
 
 
