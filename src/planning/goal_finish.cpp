@@ -27,7 +27,7 @@ GoalFinish::GoalFinish(const PlanningTables& tables, const PlannerOptions& optio
 
 bool GoalFinish::seesAllPairs() const {
   const GoalTolerance& tolerance = problem_.tolerance;
-  return tables_.hasAllPairs() && tolerance.xy_m <= kWidestTwo_m &&
+  return tolerance.xy_m <= kWidestTwo_m &&
          (tolerance.anyHeading() || tolerance.yaw_rad <= kWidestTwo_rad);
 }
 

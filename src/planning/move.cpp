@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace hexapod {
 namespace {
@@ -49,6 +50,16 @@ double separation(const Move& a, const Move& b) {
   return std::hypot(a.end.x_m - b.end.x_m, a.end.y_m - b.end.y_m, kMetresPerRadian * turn);
 }
 
+// In their order, those that stand best for all.
+std::vector<Move> thinnedOut(std::vector<Move> moves, std::size_t most) {
+  if (moves.size() <= most) return moves;
+  std::vector<std::size_t> chosen = spreadOut(moves, most);
+  std::sort(chosen.begin(), chosen.end());
+  std::vector<Move> kept;
+  for (const std::size_t i : chosen) kept.push_back(std::move(moves[i]));
+  return kept;
+}
+
 }  // namespace
 
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
@@ -63,7 +74,8 @@ std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions
           makeMovePath(result.back().end, i < paths.size() ? paths[i] : std::vector<Pose2>{});
     }
   }
-  return result;
+  const double most = std::sqrt(static_cast<double>(options.max_pairs));
+  return thinnedOut(std::move(result), static_cast<std::size_t>(most));
 }
 
 std::vector<std::size_t> spreadOut(const std::vector<Move>& moves, std::size_t count) {

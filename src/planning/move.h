@@ -42,7 +42,8 @@ struct Move {
 /// that fell in its validation, that does not move, or whose pose is not finite.
 /// A validated spread counts as much as its number of trials against two trials of the unvalidated
 /// spread, so that an entry is not trusted after a single lucky trial.
-/// `paths` are theirs by index, where they are known.
+/// Of more than planning can pair with each other (max_pairs) those that cover the ends of all
+/// best. `paths` are theirs by index, where they are known.
 std::vector<Move> usableMoves(const Repertoire& repertoire, const PlannerOptions& options,
                               const EntryPaths& paths = {});
 

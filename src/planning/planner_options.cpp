@@ -29,9 +29,11 @@ std::vector<Option> declareOptions(PlannerOptions& options) {
       option("beam_width", options.beam_width,
              "poses kept after each behaviour when a goal is more than three behaviours away", 1,
              100000),
-      option("max_pairs", options.max_pairs,
-             "two-behaviour chains tabulated; with more the best spread entries are chosen", 1,
-             10000000),
+      option(
+          "max_pairs", options.max_pairs,
+          "two-behaviour chains tabulated; where there are more, as many entries as pair up to so "
+          "many are planned with, those that cover the ends of all best",
+          1, 10000000),
   };
   const std::vector<Option> steadiness = declareOptions(options.steadiness);
   all.insert(all.end(), steadiness.begin(), steadiness.end());

@@ -30,7 +30,7 @@ struct PlannerOptions {
   double margin_weight = 0.4;
   double recovery_steps = 3.0;
   std::int64_t beam_width = 400;
-  std::int64_t max_pairs = 300000;
+  std::int64_t max_pairs = 1000000;
 
   /// The tolerance of a goal that names none.
   GoalTolerance tolerance() const { return {xy_tolerance_m, yaw_tolerance_rad}; }

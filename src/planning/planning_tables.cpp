@@ -27,13 +27,11 @@ PoseTable tabulateSingles(const std::vector<Move>& moves) {
   return PoseTable(std::move(chains));
 }
 
-PoseTable tabulatePairs(const std::vector<Move>& moves, std::int64_t max_pairs) {
-  const auto count = static_cast<std::size_t>(std::sqrt(static_cast<double>(max_pairs)));
-  const std::vector<std::size_t> chosen = spreadOut(moves, count);
+PoseTable tabulatePairs(const std::vector<Move>& moves) {
   std::vector<PoseTable::Chain> chains;
-  chains.reserve(chosen.size() * chosen.size());
-  for (const std::size_t first : chosen) {
-    for (const std::size_t second : chosen) {
+  chains.reserve(moves.size() * moves.size());
+  for (std::size_t first = 0; first < moves.size(); ++first) {
+    for (std::size_t second = 0; second < moves.size(); ++second) {
       chains.push_back({moves[first].end * moves[second].end, static_cast<std::uint32_t>(first),
                         static_cast<std::uint32_t>(second)});
     }
@@ -48,7 +46,7 @@ PlanningTables::PlanningTables(const Repertoire& repertoire, const PlannerOption
     : moves(usableMoves(repertoire, options, paths)),
       representatives(chooseRepresentatives(moves)),
       singles(tabulateSingles(moves)),
-      pairs(tabulatePairs(moves, options.max_pairs)),
+      pairs(tabulatePairs(moves)),
       steps_to_go(moves),
       steps_bound(moves) {}
 

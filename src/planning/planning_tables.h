@@ -14,14 +14,11 @@ struct PlanningTables {
   PlanningTables(const Repertoire& repertoire, const PlannerOptions& options,
                  const EntryPaths& paths);
 
-  /// Whether `pairs` holds every pair there is.
-  bool hasAllPairs() const { return pairs.size() == moves.size() * moves.size(); }
-
   std::vector<Move> moves;
   /// Indices of few moves that stand for all: evenly spread ones, and those that reach farthest.
   std::vector<std::size_t> representatives;
   PoseTable singles;  ///< all moves
-  PoseTable pairs;    ///< all pairs of moves, or of a well-spread subset when those are too many
+  PoseTable pairs;    ///< all pairs of moves
   StepsToGo steps_to_go;
   StepsBound steps_bound;
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "planning/move.h"
+
 namespace hexapod {
 namespace {
 
@@ -67,7 +69,7 @@ SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
                      const SelfModelOptions& options, const std::optional<Physics>& told)
     : imagination_(std::make_shared<Imagination>(
           robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
-      steadiness_(options.steadiness),
+      planner_(options.planner),
       belief_(told ? BodyBelief(imagination_, *told)
                    : BodyBelief(imagination_, learned.physics, options.belief)),
       first_belief_(belief_),
@@ -80,7 +82,7 @@ SelfModel::SelfModel(const SelfModel& other)
 
 SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
     : imagination_(other.imagination_),
-      steadiness_(other.steadiness_),
+      planner_(other.planner_),
       belief_(other.belief_),
       first_belief_(other.first_belief_),
       heading_rad_(other.heading_rad_),
@@ -188,9 +190,12 @@ std::shared_ptr<const Repertoire> SelfModel::expected(
 }
 
 std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoire) {
-  const std::vector<std::size_t> entries = steadyEntries(repertoire.entries, steadiness_);
+  std::vector<std::size_t> entries;
   std::vector<Genome> genomes;
-  for (const std::size_t entry : entries) genomes.push_back(repertoire.entries[entry].genome);
+  for (const Move& move : usableMoves(repertoire, planner_, {})) {
+    entries.push_back(move.entry);
+    genomes.push_back(repertoire.entries[move.entry].genome);
+  }
   std::vector<Mixture> ends(genomes.size());
   std::vector<bool> fails(genomes.size(), false);
   const Pose2 heading{0.0, 0.0, heading_rad_};

@@ -7,7 +7,7 @@
 
 #include "planning/deviation.h"
 #include "planning/foresight.h"
-#include "repertoire/steadiness.h"
+#include "planning/planner_options.h"
 #include "self_model/body_belief.h"
 #include "self_model/learned_world.h"
 
@@ -16,7 +16,7 @@ namespace hexapod {
 /// How a robot simulates itself.
 struct SelfModelOptions {
   BeliefOptions belief;
-  SteadinessOptions steadiness;  ///< of the entries that are imagined, the planner's
+  PlannerOptions planner;  ///< what is planned with is imagined, and nothing else
   std::string engine = "reduced";
   int threads = 0;  ///< 0: as many as the machine has cores
 };
@@ -72,7 +72,7 @@ class SelfModel : public Foresight {
   SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>& lock_of_other);
 
   const std::shared_ptr<const Imagination> imagination_;
-  const SteadinessOptions steadiness_;
+  const PlannerOptions planner_;
   mutable std::mutex mutex_;
   BodyBelief belief_;
   const BodyBelief first_belief_;

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "arc_repertoire.h"
 #include "planning/plan_cost.h"
 #include "planning/planner.h"
@@ -73,8 +75,11 @@ TEST(Planner, CostsNoMoreThanTheBestOfAllShortChains) {
       double price = 0.0;
       Uncertainty uncertainty;
       for (const PlannedStep& step : plan.steps) {
-        price += moves[step.entry].cost;
-        uncertainty = uncertainty.after(moves[step.entry], kKeptWhenReplanned);
+        const auto move = std::find_if(moves.begin(), moves.end(),
+                                       [&](const Move& one) { return one.entry == step.entry; });
+        ASSERT_NE(move, moves.end()) << "it is not among those that are planned with";
+        price += move->cost;
+        uncertainty = uncertainty.after(*move, kKeptWhenReplanned);
       }
       price += end_cost(plan.distance_m, plan.heading_rad, uncertainty);
       EXPECT_LE(price, bruteForce(moves, goal, options).price + 1e-9);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 
 #include "arc_repertoire.h"
@@ -61,6 +62,21 @@ TEST(FarthestPerSector, ReachesFarthestInEachDirection) {
                   PlannerOptions{});
   const auto farthest = farthestPerSector(moves, 4);
   EXPECT_EQ(std::set<std::size_t>(farthest.begin(), farthest.end()), (std::set<std::size_t>{0, 3}));
+}
+
+TEST(Move, OfMoreThanCanBePairedThoseThatCoverAllArePlannedWith) {
+  PlannerOptions options;
+  const auto all = usableMoves(arcRepertoire(400, 2), options);
+  options.max_pairs = 900;
+  const auto few = usableMoves(arcRepertoire(400, 2), options);
+  ASSERT_EQ(few.size(), 30u);
+  double farthest_m = 0.0, farthest_of_few_m = 0.0;
+  for (const Move& move : all) farthest_m = std::max(farthest_m, move.length_m);
+  for (std::size_t i = 0; i < few.size(); ++i) {
+    if (i > 0) EXPECT_LT(few[i - 1].entry, few[i].entry);
+    farthest_of_few_m = std::max(farthest_of_few_m, few[i].length_m);
+  }
+  EXPECT_EQ(farthest_of_few_m, farthest_m);
 }
 
 }  // namespace

@@ -17,6 +17,7 @@ std::shared_ptr<const Repertoire> repertoire() {
     Entry entry;
     entry.id = static_cast<std::int64_t>(made->entries.size()) + 1;
     entry.genome = gait;
+    entry.end_pose = {0.1, 0.0, 0.1};  // not standing still, as it will be known
     made->entries.push_back(entry);
   }
   return made;

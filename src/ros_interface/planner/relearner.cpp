@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "learning/relearning.h"
+#include "planning/move.h"
 
 namespace hexapod {
 namespace {
@@ -46,8 +47,8 @@ std::string Relearner::look(const std::optional<Physics>& body) {
   if (learning_) return learned_ ? take() : "";
   // One try for a body: what it led to is in use, or was no better.
   if (!body || !legs_.empty() || !robot_ || robot_->digest != repertoire.robot_id) return "";
-  const std::size_t steady = steadyEntries(repertoire.entries, options_.planner.steadiness).size();
-  const double enough = options_.relearn_below * static_cast<double>(steady);
+  const std::size_t planned = usableMoves(repertoire, options_.planner, {}).size();
+  const double enough = options_.relearn_below * static_cast<double>(planned);
   if (static_cast<double>(usable(*published)) >= enough) return "";
   return begin(*published, *body);
 }
@@ -59,7 +60,7 @@ std::string Relearner::begin(const AdaptivePlanner& published, const Physics& bo
   learning_ = true;
   thread_ = std::thread(&Relearner::learn, this, repertoire, body);
   return "With " + bodyText() + ", " + count(usable(published)) + " of " +
-         count(steadyEntries(repertoire.entries, options_.planner.steadiness).size()) +
+         count(usableMoves(repertoire, options_.planner, {}).size()) +
          " entries are left; more are learned for this body.";
 }
 
