@@ -73,7 +73,9 @@ TEST(Move, OfMoreThanCanBePairedThoseThatCoverAllArePlannedWith) {
   double farthest_m = 0.0, farthest_of_few_m = 0.0;
   for (const Move& move : all) farthest_m = std::max(farthest_m, move.length_m);
   for (std::size_t i = 0; i < few.size(); ++i) {
-    if (i > 0) EXPECT_LT(few[i - 1].entry, few[i].entry);
+    if (i > 0) {
+      EXPECT_LT(few[i - 1].entry, few[i].entry);
+    }
     farthest_of_few_m = std::max(farthest_of_few_m, few[i].length_m);
   }
   EXPECT_EQ(farthest_of_few_m, farthest_m);
