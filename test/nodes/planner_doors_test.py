@@ -187,11 +187,11 @@ def test_plan_only_publishes_its_plan_and_does_not_move(client):
     planned = answer(client.walk_to(target, plan_only=True))
     assert planned.code == code("SUCCEEDED"), planned.message
 
-    def leads_there():  # the first that comes is the latched one of the walk before
-        end = plans[-1].poses[-1].pose.position
+    def leads_there(plan):  # the first that comes is the latched one of the walk before
+        end = plan.poses[-1].pose.position
         return math.hypot(end.x - target.pose.position.x, end.y - target.pose.position.y) < 0.061
 
-    ws.wait_for(lambda: plans and leads_there(), 5.0, "the plan to the target")
+    ws.wait_for(lambda: any(map(leads_there, plans)), 5.0, "the plan to the target")
     expect_standstill(client)
 
 
