@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "planning/deviation.h"
+#include "planning/plan_messages.h"
 
 namespace hexapod {
 namespace {
@@ -36,6 +37,12 @@ Pose2 difference(const Pose2& a, const Pose2& b) {
 double shareMissed(const PlanResult& plan, const GoalTolerance& tolerance) {
   const double turned = tolerance.anyHeading() ? 0.0 : plan.heading_rad / tolerance.yaw_rad;
   return std::max(plan.distance_m / tolerance.xy_m, turned);
+}
+
+// The behaviours of a plan, and how surely they are all: one that misses needs at least another.
+double priceOf(const PlanResult& plan, double missed) {
+  const double more = missed <= 1.0 ? missed * missed : 1.0 + std::min(1.0, missed - 1.0);
+  return static_cast<double>(plan.steps.size()) + more;
 }
 
 // The chain as it will be walked: every behaviour adds its drift.
@@ -141,7 +148,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
     corrected.world_from_goal =
         difference(request.world_from_goal, difference(found.world_from_end, promised));
     const double missed = shareMissed(found, request.tolerance);
-    const double price = static_cast<double>(found.steps.size()) + std::min(1.0, missed * missed);
+    const double price = priceOf(found, missed);
     if (price < least) {
       least = price;
       best = std::move(found);
@@ -149,6 +156,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
     if (missed <= kSurelyThere) break;
   }
   best.effort = effort;
+  best.message = describe(best, request, options_);  // with the poses followed
   return best;
 }
 
