@@ -187,6 +187,16 @@ OptionValue optionValueFromText(const std::string& text) {
   return real ? OptionValue(*real) : OptionValue(text);
 }
 
+void applyKept(const std::vector<Option>& options, const std::map<std::string, std::string>& texts,
+               const std::string& source) {
+  std::map<std::string, OptionValue> values;
+  for (const Option& option : options) {
+    const auto found = texts.find(option.name);
+    if (found != texts.end()) values[option.name] = optionValueFromText(found->second);
+  }
+  applyOptions(options, values, source);
+}
+
 std::map<std::string, OptionValue> optionValuesFromYaml(const std::string& file) {
   std::ifstream stream(file);
   std::ostringstream text;

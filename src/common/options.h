@@ -48,6 +48,11 @@ Option option(const std::string& name, double& target, const std::string& unit,
 void applyOptions(const std::vector<Option>& options,
                   const std::map<std::string, OptionValue>& values, const std::string& source);
 
+/// Sets those of the options that are among `texts`, as a file keeps them by name; others there are
+/// left alone. Throws as applyOptions() does.
+void applyKept(const std::vector<Option>& options, const std::map<std::string, std::string>& texts,
+               const std::string& source);
+
 /// Flat map of a YAML file: key: scalar. Throws std::runtime_error naming file and line.
 std::map<std::string, OptionValue> optionValuesFromYaml(const std::string& file);
 

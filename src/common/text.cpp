@@ -62,13 +62,19 @@ std::optional<std::uint64_t> unsignedFromText(const std::string& text) {
   return numberFromText<std::uint64_t>(text);
 }
 
+std::string trimmed(const std::string& text) {
+  constexpr char kWhiteSpace[] = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kWhiteSpace);
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(kWhiteSpace) - first + 1);
+}
+
 std::vector<std::string> separated(const std::string& text) {
   std::vector<std::string> words;
   std::istringstream stream(text);
   for (std::string word; std::getline(stream, word, ',');) {
-    const std::size_t first = word.find_first_not_of(' ');
-    if (first == std::string::npos) continue;
-    words.push_back(word.substr(first, word.find_last_not_of(' ') - first + 1));
+    word = trimmed(word);
+    if (!word.empty()) words.push_back(word);
   }
   return words;
 }

@@ -27,7 +27,10 @@ std::optional<std::uint64_t> unsignedFromText(const std::string& text);
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 
-/// The words of "a, b, c", without the spaces around them; none are empty.
+/// Without the white space around it.
+std::string trimmed(const std::string& text);
+
+/// The words of "a, b, c", trimmed; none are empty.
 std::vector<std::string> separated(const std::string& text);
 
 }  // namespace hexapod

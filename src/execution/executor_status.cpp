@@ -94,8 +94,7 @@ std::string sentence(const Cause& cause, const std::vector<std::string>& joint_n
     case Reason::kNoFeedback:
       return "No valid joint_states of joint '" + jointName(cause, joint_names) +
              "', so the pose of the robot is unknown; start its driver, name the leg in dead_legs "
-             "if "
-             "it is not there, or set feedback_timeout_s to 0 for open loop.";
+             "if it is not there, or set feedback_timeout_s to 0 for open loop.";
     case Reason::kFarFromNeutral:
       return "Joint '" + jointName(cause, joint_names) + "' is " + numberText(cause.value_rad, 3) +
              " rad away from its neutral angle, more than start_tolerance_rad; bring the robot "

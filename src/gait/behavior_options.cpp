@@ -67,13 +67,7 @@ std::vector<Option> declareOptions(BehaviorOptions& options) {
 
 BehaviorOptions behaviorOptionsOf(const std::map<std::string, std::string>& kept,
                                   BehaviorOptions defaults) {
-  const std::vector<Option> wanted = declareOptions(defaults);
-  std::map<std::string, OptionValue> values;
-  for (const Option& one : wanted) {
-    const auto found = kept.find(one.name);
-    if (found != kept.end()) values[one.name] = optionValueFromText(found->second);
-  }
-  applyOptions(wanted, values, "repertoire");
+  applyKept(declareOptions(defaults), kept, "repertoire");
   return defaults;
 }
 

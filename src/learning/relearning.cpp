@@ -1,6 +1,5 @@
 #include "learning/relearning.h"
 
-#include <map>
 #include <string>
 #include <utility>
 
@@ -15,13 +14,7 @@ namespace {
 // As the repertoire was learned, as far as it tells.
 LearnOptions learnedWith(const Repertoire& repertoire) {
   LearnOptions options;
-  const std::vector<Option> known = declareOptions(options);
-  std::map<std::string, OptionValue> values;
-  for (const Option& one : known) {
-    const auto found = repertoire.options.find(one.name);
-    if (found != repertoire.options.end()) values[one.name] = optionValueFromText(found->second);
-  }
-  applyOptions(known, values, "repertoire");
+  applyKept(declareOptions(options), repertoire.options, "repertoire");
   return options;
 }
 

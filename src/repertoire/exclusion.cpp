@@ -1,7 +1,6 @@
 #include "repertoire/exclusion.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -19,8 +18,7 @@ std::set<std::int64_t> excludedIds(const Repertoire& repertoire) {
   std::set<std::int64_t> ids;
   const auto found = repertoire.facts.find(kFact);
   if (found == repertoire.facts.end()) return ids;
-  std::istringstream words(found->second);
-  for (std::string word; std::getline(words, word, ',');) {
+  for (const std::string& word : separated(found->second)) {
     if (const auto id = integerFromText(word)) ids.insert(*id);
   }
   return ids;

@@ -21,7 +21,7 @@ namespace {
                            ", found '" + found + "'.");
 }
 
-std::string trimmed(const std::string& text) {
+std::string bare(const std::string& text) {
   const char* blanks = " \t\r\n\"";
   const auto from = text.find_first_not_of(blanks);
   if (from == std::string::npos) return "";
@@ -37,7 +37,7 @@ std::optional<double> numberOf(const std::string& text) {
 std::vector<std::string> fieldsOf(const std::string& line, char separator) {
   std::vector<std::string> fields;
   std::istringstream in(line);
-  for (std::string field; std::getline(in, field, separator);) fields.push_back(trimmed(field));
+  for (std::string field; std::getline(in, field, separator);) fields.push_back(bare(field));
   return fields;
 }
 
@@ -141,10 +141,10 @@ Repertoire importCsv(std::istream& text, const std::string& name, const ImportOp
   for (std::string line; std::getline(text, line);) {
     ++number;
     const std::vector<std::string> fields = fieldsOf(line, ',');
-    if (trimmed(line).empty() || trimmed(line)[0] == '#') continue;
+    if (bare(line).empty() || bare(line)[0] == '#') continue;
     if (first && isHeader(fields)) {
       const auto named = namedColumns(fields);
-      if (!named) refuse(name, number, "the columns dx, dy and dyaw", trimmed(line));
+      if (!named) refuse(name, number, "the columns dx, dy and dyaw", bare(line));
       columns = *named;
     } else {
       const Pose2 end = poseIn(fields, columns, name, number);
@@ -166,12 +166,12 @@ Repertoire importPrimitives(std::istream& text, const std::string& name) {
   };
   for (std::string line; std::getline(text, line);) {
     ++number;
-    const std::string content = trimmed(line);
+    const std::string content = bare(line);
     if (content.empty()) continue;
     const auto colon = content.find(':');
     const std::vector<double> values =
         numbersOf(colon == std::string::npos ? content : content.substr(colon + 1));
-    const std::string key = colon == std::string::npos ? "" : trimmed(content.substr(0, colon));
+    const std::string key = colon == std::string::npos ? "" : bare(content.substr(0, colon));
     if (poses_left > 0) {
       if (!key.empty() || values.size() != 3) refuse(name, number, "an intermediate pose", content);
       primitive.end = Pose2{values[0], values[1], values[2]};

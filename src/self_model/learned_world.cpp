@@ -8,12 +8,8 @@ namespace hexapod {
 LearnedWorld learnedWorldOf(const RobotDescription& robot, const Repertoire& repertoire) {
   LearnedWorld learned;
   learned.behavior = behaviorOptionsOf(repertoire.options, learned.behavior);
-  const auto step = repertoire.options.find("step_s");
-  if (step != repertoire.options.end()) {
-    applyOptions(
-        {option("step_s", learned.physics.step_s, "s", "Step of the simulation.", 1e-4, 0.05)},
-        {{step->first, optionValueFromText(step->second)}}, "repertoire");
-  }
+  applyKept({option("step_s", learned.physics.step_s, "s", "Step of the simulation.", 1e-4, 0.05)},
+            repertoire.options, "repertoire");
   learned.physics = bodyFromText(robot, repertoire.body(), learned.physics);
   return learned;
 }

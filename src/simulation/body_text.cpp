@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -36,12 +35,6 @@ std::vector<std::string> namesOfDegrees() {
   return names;
 }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
 const Degree* degreeNamed(const std::string& word) {
   const auto found = std::find_if(kDegrees.begin(), kDegrees.end(), [&](const Degree& degree) {
     return word == degree.name || word == degree.field;
@@ -72,10 +65,8 @@ Physics bodyFromText(const RobotDescription& robot, const std::string& text,
                      const Physics& otherwise) {
   Physics body = otherwise;
   std::string legs;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    part = trimmed(part);
-    if (part.empty() || part == toString(LegCondition::kIntact)) continue;
+  for (const std::string& part : separated(text)) {
+    if (part == toString(LegCondition::kIntact)) continue;
     const std::size_t colon = part.find(':');
     const std::string word = trimmed(part.substr(0, colon));
     if (colon == std::string::npos) {

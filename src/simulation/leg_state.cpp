@@ -1,7 +1,6 @@
 #include "simulation/leg_state.h"
 
 #include <algorithm>
-#include <sstream>
 #include <stdexcept>
 
 #include "common/text.h"
@@ -9,12 +8,6 @@
 
 namespace hexapod {
 namespace {
-
-std::string trimmed(const std::string& text) {
-  const std::size_t first = text.find_first_not_of(" \t");
-  if (first == std::string::npos) return "";
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 std::vector<std::string> legNames(const RobotDescription& robot) {
   std::vector<std::string> names;
@@ -100,13 +93,10 @@ std::vector<double> heldAngles(const RobotDescription& robot, std::size_t leg,
 
 std::vector<LegState> legStatesFromText(const RobotDescription& robot, const std::string& text) {
   std::vector<LegState> legs;
-  std::istringstream parts(text);
-  for (std::string part; std::getline(parts, part, ',');) {
-    if (trimmed(part).empty()) continue;
+  for (const std::string& part : separated(text)) {
     const std::size_t colon = part.find(':');
     if (colon == std::string::npos) {
-      throw std::invalid_argument("'" + trimmed(part) +
-                                  "' is no leg and condition; expected for example '" +
+      throw std::invalid_argument("'" + part + "' is no leg and condition; expected for example '" +
                                   robot.legs.front().name + ": locked'.");
     }
     legs.resize(robot.legs.size());

@@ -57,6 +57,8 @@ TEST(Text, ListsWordsWithCommasBetweenThem) {
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");
   EXPECT_EQ(separated(" a,b  , c d,, "), (std::vector<std::string>{"a", "b", "c d"}));
   EXPECT_TRUE(separated("").empty());
+  EXPECT_EQ(trimmed(" \ta b\r\n"), "a b");
+  EXPECT_EQ(trimmed(" \t"), "");
 }
 
 }  // namespace

@@ -6,9 +6,9 @@
 #include <trajectory_msgs/JointTrajectory.h>
 
 #include <numeric>
-#include <sstream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "ros_interface/common/names.h"
 
 namespace hexapod {
@@ -25,20 +25,9 @@ struct Group {
   std::vector<std::size_t> joints;
 };
 
-std::vector<std::string> splitAtCommas(const std::string& list) {
-  std::vector<std::string> parts;
-  std::istringstream stream(list);
-  for (std::string part; std::getline(stream, part, ',');) {
-    const auto first = part.find_first_not_of(" \t");
-    if (first == std::string::npos) continue;
-    parts.push_back(part.substr(first, part.find_last_not_of(" \t") - first + 1));
-  }
-  return parts;
-}
-
 std::vector<Group> controllerGroups(const ExecutorNodeOptions& options,
                                     const RobotDescription& robot) {
-  const std::vector<std::string> names = splitAtCommas(options.controllers);
+  const std::vector<std::string> names = separated(options.controllers);
   if (names.size() == 1) {
     Group all{names[0] + "/command", std::vector<std::size_t>(robot.jointCount())};
     std::iota(all.joints.begin(), all.joints.end(), 0);
