@@ -25,6 +25,7 @@ constexpr double kEnds = 2.0 * 1.4;
 WayField::WayField(const Question& question, Open open, double around_m)
     : question_(question), open_(open), most_m_(2.0 * around_m) {
   layOut(around_m);
+  start_ = grid_.indexOf(inMap(question.world_from_start.x_m, question.world_from_start.y_m));
   spread();
   question_.stop = nullptr;
 }
@@ -44,34 +45,26 @@ void WayField::layOut(double around_m) {
   };
   const auto [west, east] = span(start.x_m, goal.x_m, obstacles.width_m());
   const auto [south, north] = span(start.y_m, goal.y_m, obstacles.height_m());
-  cell_m_ = std::max(kFinestCell_m, std::sqrt((east - west) * (north - south) / kMostCells));
+  const double cell_m =
+      std::max(kFinestCell_m, std::sqrt((east - west) * (north - south) / kMostCells));
+  grid_.cell_m = cell_m;
   // Cells of the map and of the same size lie on each other.
-  west_m_ = std::floor(west / cell_m_) * cell_m_;
-  south_m_ = std::floor(south / cell_m_) * cell_m_;
-  columns_ = static_cast<Index>((east - west_m_) / cell_m_) + 1;
-  rows_ = static_cast<Index>((north - south_m_) / cell_m_) + 1;
-  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  grid_.west_m = std::floor(west / cell_m) * cell_m;
+  grid_.south_m = std::floor(south / cell_m) * cell_m;
+  grid_.columns = static_cast<Index>((east - grid_.west_m) / cell_m) + 1;
+  grid_.rows = static_cast<Index>((north - grid_.south_m) / cell_m) + 1;
+  cells_ = ZeroedArray<Cell>(static_cast<std::size_t>(grid_.size()));
 }
 
-/// -1 outside.
-WayField::Index WayField::indexOf(double world_x_m, double world_y_m) const {
+WayField::Point WayField::inMap(double world_x_m, double world_y_m) const {
   const Obstacles::Point at = question_.obstacles->mapFromWorld(world_x_m, world_y_m);
-  const double column = std::floor((at.x_m - west_m_) / cell_m_);
-  const double row = std::floor((at.y_m - south_m_) / cell_m_);
-  if (!(column >= 0.0 && row >= 0.0 && column < columns_ && row < rows_)) return -1;
-  return static_cast<Index>(row) * columns_ + static_cast<Index>(column);
-}
-
-/// In the frame of the map.
-WayField::Point WayField::centreOf(Index cell) const {
-  const Index row = cell / columns_;
-  return {west_m_ + (cell % columns_ + 0.5) * cell_m_, south_m_ + (row + 0.5) * cell_m_};
+  return {at.x_m, at.y_m};
 }
 
 bool WayField::isOpen(Index cell) const {
-  const Point at = centreOf(cell);
+  const Point at = grid_.centreOf(cell);
   if (open_ == Open::kSurely) return question_.obstacles->leastRoom_m({at.x_m, at.y_m}) >= 0.0;
-  return question_.obstacles->mostRoom_m({at.x_m, at.y_m}) + 0.7072 * cell_m_ >= 0.0;
+  return question_.obstacles->mostRoom_m({at.x_m, at.y_m}) + 0.7072 * grid_.cell_m >= 0.0;
 }
 
 bool WayField::sees(const Point& from, const Point& to) const {
@@ -81,8 +74,8 @@ bool WayField::sees(const Point& from, const Point& to) const {
     const Obstacles::Point at{from.x_m + share * (to.x_m - from.x_m),
                               from.y_m + share * (to.y_m - from.y_m)};
     const double room_m = question_.obstacles->leastRoom_m(at);
-    if (room_m < -0.5 * cell_m_) return false;
-    along_m += std::max(room_m, 0.5 * cell_m_);
+    if (room_m < -0.5 * grid_.cell_m) return false;
+    along_m += std::max(room_m, 0.5 * grid_.cell_m);
   }
   return true;
 }
@@ -91,26 +84,22 @@ bool WayField::sees(const Point& from, const Point& to) const {
 /// need not be connected with each other.
 std::vector<WayField::Index> WayField::seeds() const {
   const Pose2 goal = inverse(question_.obstacles->worldFromMap()) * question_.world_from_goal;
-  const double radius_m = std::max(question_.radius_m, 1.5 * cell_m_);
+  const double radius_m = std::max(question_.radius_m, 1.5 * grid_.cell_m);
+  const auto column = static_cast<Index>((goal.x_m - grid_.west_m) / grid_.cell_m);
+  const auto row = static_cast<Index>((goal.y_m - grid_.south_m) / grid_.cell_m);
+  const auto reach = static_cast<Index>(radius_m / grid_.cell_m) + 1;
   std::vector<Index> result;
-  const auto reach = static_cast<Index>(radius_m / cell_m_) + 1;
-  const Index column = static_cast<Index>((goal.x_m - west_m_) / cell_m_);
-  const Index row = static_cast<Index>((goal.y_m - south_m_) / cell_m_);
-  for (Index r = std::max(0, row - reach); r <= std::min(rows_ - 1, row + reach); ++r) {
-    for (Index c = std::max(0, column - reach); c <= std::min(columns_ - 1, column + reach); ++c) {
-      const Index cell = r * columns_ + c;
-      const Point at = centreOf(cell);
-      const double off_m = std::hypot(at.x_m - goal.x_m, at.y_m - goal.y_m);
-      if (off_m <= radius_m && isOpen(cell)) result.push_back(cell);
-    }
-  }
+  grid_.around(column, row, reach, [&](Index cell, Index, Index) {
+    const Point centre = grid_.centreOf(cell);
+    const double off_m = std::hypot(centre.x_m - goal.x_m, centre.y_m - goal.y_m);
+    if (off_m <= radius_m && isOpen(cell)) result.push_back(cell);
+  });
   return result;
 }
 
 void WayField::spread() {
   constexpr std::size_t kBuckets = 8;  // more than the longest step
   std::array<std::vector<std::pair<Index, Index>>, kBuckets> buckets;
-  const Index start = indexOf(question_.world_from_start.x_m, question_.world_from_start.y_m);
   for (const Index seed : seeds()) buckets[0].push_back({seed, seed});
   std::int32_t last = std::numeric_limits<std::int32_t>::max();
   std::int32_t empty = 0;
@@ -126,41 +115,48 @@ void WayField::spread() {
     empty = bucket.empty() ? empty + 1 : 0;
     seen += bucket.size();
     for (const auto& [cell, predecessor] : bucket) {
-      if (cells_[static_cast<std::size_t>(cell)].fifths != kUnseen) continue;
-      if (!isOpen(cell)) {
-        cells_[static_cast<std::size_t>(cell)].fifths = kClosed;
-        continue;
-      }
-      cells_[static_cast<std::size_t>(cell)].fifths = farthest_fifths_ = now;
-      straighten(cell, predecessor);
-      const Index column = cell % columns_;
-      const Index row = cell / columns_;
-      if (start >= 0 && !reached_ && std::abs(column - start % columns_) <= 1 &&
-          std::abs(row - start / columns_) <= 1) {
+      if (!take(cell, predecessor, now)) continue;
+      if (!reached_ && isAtStart(cell)) {
         reached_ = true;
-        last = now + static_cast<std::int32_t>(5.0 * kBeyond_m / cell_m_);
+        last = now + static_cast<std::int32_t>(5.0 * kBeyond_m / grid_.cell_m);
       }
-      for (Index r = std::max(0, row - 1); r <= std::min(rows_ - 1, row + 1); ++r) {
-        for (Index c = std::max(0, column - 1); c <= std::min(columns_ - 1, column + 1); ++c) {
-          const Index next = r * columns_ + c;
-          if (cells_[static_cast<std::size_t>(next)].fifths != kUnseen) continue;
-          const std::int32_t step = r != row && c != column ? 7 : 5;
-          buckets[static_cast<std::size_t>(now + step) % kBuckets].push_back({next, cell});
-        }
-      }
+      const auto goOn = [&, from = cell](Index next, Index east, Index north) {
+        if (at(next).isSeen()) return;
+        const std::int32_t step = east != 0 && north != 0 ? 7 : 5;
+        buckets[static_cast<std::size_t>(now + step) % kBuckets].push_back({next, from});
+      };
+      grid_.around(grid_.columnOf(cell), grid_.rowOf(cell), 1, goOn);
     }
     bucket.clear();
   }
 }
 
+/// Whether the wave goes on from a cell that it has come to.
+bool WayField::take(Index cell, Index predecessor, std::int32_t fifths) {
+  if (at(cell).isSeen()) return false;
+  if (!isOpen(cell)) {
+    at(cell).state = Cell::kClosed;
+    return false;
+  }
+  farthest_fifths_ = fifths;
+  at(cell).state = fifths + 1;
+  straighten(cell, predecessor);
+  return true;
+}
+
+bool WayField::isAtStart(Index cell) const {
+  return start_ >= 0 && std::abs(grid_.columnOf(cell) - grid_.columnOf(start_)) <= 1 &&
+         std::abs(grid_.rowOf(cell) - grid_.rowOf(start_)) <= 1;
+}
+
 void WayField::straighten(Index cell, Index predecessor) {
-  const Point from = centreOf(cell);
+  const Point from = grid_.centreOf(cell);
   Index corner = predecessor;
   if (predecessor != cell) {
-    const Index before = cells_[static_cast<std::size_t>(predecessor)].corner;
-    if (before >= 0 && sees(from, centreOf(before))) corner = before;
+    const Index before = at(predecessor).corner;
+    if (sees(from, grid_.centreOf(before))) corner = before;
   }
-  Cell& here = cells_[static_cast<std::size_t>(cell)];
+  Cell& here = at(cell);
   here.corner = corner;
   const Way way = through(from, corner);
   here.length_m = static_cast<float>(way.length_m);
@@ -170,9 +166,9 @@ void WayField::straighten(Index cell, Index predecessor) {
 /// The way from a point of the map straight to a corner and on, or to the goal itself where that
 /// corner is one of those around it. Headings in the map.
 WayField::Way WayField::through(const Point& from, Index corner) const {
-  const Cell& next = cells_[static_cast<std::size_t>(corner)];
-  const bool at_goal = next.corner == corner || next.fifths == 0;
-  Point to = centreOf(corner);
+  const Cell& next = at(corner);
+  const bool at_goal = next.corner == corner || next.fifths() == 0;
+  Point to = grid_.centreOf(corner);
   if (at_goal) {
     const Pose2 goal = inverse(question_.obstacles->worldFromMap()) * question_.world_from_goal;
     to = {goal.x_m, goal.y_m};
@@ -184,32 +180,22 @@ WayField::Way WayField::through(const Point& from, Index corner) const {
 }
 
 std::optional<WayField::Way> WayField::wayFrom(double world_x_m, double world_y_m) const {
-  const Index at = indexOf(world_x_m, world_y_m);
-  if (at < 0) return std::nullopt;
-  Index best = at;
-  if (cells_[static_cast<std::size_t>(at)].fifths < 0) {
-    best = -1;
-    for (Index r = std::max(0, at / columns_ - 1); r <= std::min(rows_ - 1, at / columns_ + 1);
-         ++r) {
-      for (Index c = std::max(0, at % columns_ - 1); c <= std::min(columns_ - 1, at % columns_ + 1);
-           ++c) {
-        const Index beside = r * columns_ + c;
-        const Cell& cell = cells_[static_cast<std::size_t>(beside)];
-        if (cell.fifths >= 0 &&
-            (best < 0 || cell.fifths < cells_[static_cast<std::size_t>(best)].fifths)) {
-          best = beside;
-        }
-      }
-    }
-    if (best < 0) return std::nullopt;
+  const Point from = inMap(world_x_m, world_y_m);
+  const Index own = grid_.indexOf(from);
+  if (own < 0) return std::nullopt;
+  Index best = at(own).isReached() ? own : -1;
+  if (best < 0) {
+    grid_.around(grid_.columnOf(own), grid_.rowOf(own), 1, [&](Index beside, Index, Index) {
+      if (!at(beside).isReached()) return;
+      if (best < 0 || at(beside).fifths() < at(best).fifths()) best = beside;
+    });
   }
-  const Obstacles::Point from = question_.obstacles->mapFromWorld(world_x_m, world_y_m);
-  Index corner = cells_[static_cast<std::size_t>(best)].corner;
-  const Point to = centreOf(corner);
-  if (std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) < 2.0 * cell_m_) {
-    corner = cells_[static_cast<std::size_t>(corner)].corner;
-  }
-  Way way = through({from.x_m, from.y_m}, corner);
+  if (best < 0) return std::nullopt;
+  Index corner = at(best).corner;
+  const Point to = grid_.centreOf(corner);
+  if (std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) < 2.0 * grid_.cell_m)
+    corner = at(corner).corner;
+  Way way = through(from, corner);
   const double turn_rad = question_.obstacles->worldFromMap().yaw_rad;
   way.direction_rad += turn_rad;
   way.arrival_rad += turn_rad;
@@ -217,13 +203,11 @@ std::optional<WayField::Way> WayField::wayFrom(double world_x_m, double world_y_
 }
 
 double WayField::atLeast_m(double world_x_m, double world_y_m) const {
-  const Index at = indexOf(world_x_m, world_y_m);
-  std::int32_t fifths = at < 0 ? kUnseen : cells_[static_cast<std::size_t>(at)].fifths;
-  if (fifths < 0) {
-    if (!reached_) return kInfinity;
-    fifths = farthest_fifths_;
-  }
-  return std::clamp((fifths / 5.0 - kEnds) * cell_m_ / kLongest, 0.0, most_m_);
+  const Index cell = grid_.indexOf(inMap(world_x_m, world_y_m));
+  const bool is_known = cell >= 0 && at(cell).isReached();
+  if (!is_known && !reached_) return kInfinity;
+  const std::int32_t fifths = is_known ? at(cell).fifths() : farthest_fifths_;
+  return std::clamp((fifths / 5.0 - kEnds) * grid_.cell_m / kLongest, 0.0, most_m_);
 }
 
 bool WayField::isAmong(const std::shared_ptr<const Obstacles>& obstacles) const {
@@ -241,12 +225,12 @@ std::optional<Pose2> WayField::freePoseNearest(const Pose2& world_from_wish) con
   const Pose2 wish = inverse(world_from_map) * world_from_wish;
   std::optional<Pose2> nearest;
   double least_m = kInfinity;
-  for (Index cell = 0; cell < columns_ * rows_; ++cell) {
-    if (cells_[static_cast<std::size_t>(cell)].fifths < 0) continue;
-    const Point at = centreOf(cell);
-    const double off_m = std::hypot(at.x_m - wish.x_m, at.y_m - wish.y_m);
+  for (Index cell = 0; cell < grid_.size(); ++cell) {
+    if (!at(cell).isReached()) continue;
+    const Point centre = grid_.centreOf(cell);
+    const double off_m = std::hypot(centre.x_m - wish.x_m, centre.y_m - wish.y_m);
     if (off_m >= least_m) continue;
-    const Pose2 pose = world_from_map * Pose2{at.x_m, at.y_m, wish.yaw_rad};
+    const Pose2 pose = world_from_map * Pose2{centre.x_m, centre.y_m, wish.yaw_rad};
     if (!question_.obstacles->isFree(pose)) continue;
     nearest = pose;
     least_m = off_m;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <vector>
 
+#include "common/zeroed_array.h"
+#include "planning/cell_grid.h"
 #include "planning/obstacles.h"
 
 namespace hexapod {
@@ -65,42 +67,45 @@ class WayField {
   bool answers(const Question& question) const;
 
  private:
-  using Index = std::int32_t;
-  static constexpr std::int32_t kUnseen = -1;
-  static constexpr std::int32_t kClosed = -2;
+  using Index = CellGrid::Index;
+  using Point = CellGrid::Point;
 
+  /// All zero where the wave has not come.
   struct Cell {
-    std::int32_t fifths = kUnseen;  ///< to the goal, in fifths of a cell
-    Index corner = -1;              ///< cell that the way from here heads for in a straight line
-    float length_m = 0.0f;          ///< straightened
-    float arrival_rad = 0.0f;
-  };
-  struct Point {
-    double x_m, y_m;
+    static constexpr std::int32_t kClosed = -1;
+
+    std::int32_t state;  ///< 0: not seen; otherwise kClosed or 1 + fifths
+    Index corner;        ///< cell that the way from here heads for in a straight line
+    float length_m;      ///< straightened
+    float arrival_rad;
+
+    bool isSeen() const { return state != 0; }
+    bool isReached() const { return state > 0; }
+    std::int32_t fifths() const { return state - 1; }  ///< to the goal, in fifths of a cell
   };
 
   void layOut(double around_m);
-  Index indexOf(double world_x_m, double world_y_m) const;
-  Point centreOf(Index cell) const;
+  Cell& at(Index cell) { return cells_[static_cast<std::size_t>(cell)]; }
+  const Cell& at(Index cell) const { return cells_[static_cast<std::size_t>(cell)]; }
+  Point inMap(double world_x_m, double world_y_m) const;
   bool isOpen(Index cell) const;
   bool sees(const Point& from, const Point& to) const;
   std::vector<Index> seeds() const;
   void spread();
+  bool take(Index cell, Index predecessor, std::int32_t fifths);
+  bool isAtStart(Index cell) const;
   void straighten(Index cell, Index predecessor);
   Way through(const Point& from, Index corner) const;
 
   Question question_;
   Open open_;
-  double cell_m_ = 0.05;
-  double west_m_ = 0.0;  ///< in the frame of the map
-  double south_m_ = 0.0;
-  Index columns_ = 0;
-  Index rows_ = 0;
+  CellGrid grid_;
+  Index start_ = -1;
   double most_m_ = 0.0;  ///< paths from start to goal that leave the cells are longer
   std::int32_t farthest_fifths_ = 0;
   bool reached_ = false;
   bool cut_short_ = false;
-  std::vector<Cell> cells_;
+  ZeroedArray<Cell> cells_;
 };
 
 }  // namespace hexapod

@@ -9,7 +9,7 @@
 namespace hexapod {
 namespace {
 
-// A behaviour is broken off when the pose has been lost for so long, beyond pose_timeout_s.
+// A walk ends when the pose has been lost for so long, beyond pose_timeout_s.
 constexpr std::int64_t kPoseMayReturn_ns = kSecond_ns / 2;
 // How often a blocked walk looks whether a way has opened.
 constexpr std::int64_t kRetry_ns = kSecond_ns / 2;
@@ -34,6 +34,7 @@ WalkRun::WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<Adaptiv
       planner_(std::move(planner)),
       route_(goal.goal().route()),
       walk_(planner_, route_, walkOptions(means.options)),
+      seen_ns_(means.clock.steadyNow_ns()),
       tally_(means.clock),
       obstacles_(means.obstacles) {
   // Of a route only the way to the next waypoint is planned again.
@@ -53,11 +54,9 @@ WalkReport WalkRun::run() {
 }
 
 bool WalkRun::awaitRest() {
-  const auto ready = means_.player.awaitReady(
-      goal_.stops, [this] { return goal_.ended() || !means_.poses.latest().pose; });
+  const auto ready =
+      means_.player.awaitReady(goal_.stops, [this] { return goal_.ended() || isLost(); });
   if (goal_.ended()) return false;
-  // A pose that is lost is told at once, by whoever reads it next.
-  if (ready.end == BehaviorPlayer::End::kCancelled) return true;
   if (ready.end != BehaviorPlayer::End::kPlayed) {
     end(codeOf(ready.end), "The walk ended, no behaviour is played: " + ready.message);
     return false;
@@ -161,7 +160,10 @@ std::optional<PlannedStep> WalkRun::plan() {
 bool WalkRun::isToBreakOff() {
   if (goal_.ended()) return true;
   touches_ = touches_ || obstacles_.touchesNews(*planner_->planner(), walked_.back(), entry_);
-  if (touches_) return true;
+  return touches_ || isLost();
+}
+
+bool WalkRun::isLost() {
   const PoseReading robot = means_.poses.latest();
   if (robot.pose) {
     noteWhereRobotIs(*robot.pose);

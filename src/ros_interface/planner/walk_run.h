@@ -38,6 +38,9 @@ class WalkRun {
   bool play(const PlannedStep& step);
   /// While a behaviour is played: true to break it off.
   bool isToBreakOff();
+  /// While the robot moves: notes where it is. True when it has not been seen for too long, which
+  /// ends the walk.
+  bool isLost();
   void noteWhereRobotIs(const Pose2& robot);
   void end(std::uint8_t code, const std::string& message);
 
@@ -50,7 +53,7 @@ class WalkRun {
   ros::Time rest_;                     // when the robot has come to rest
   std::vector<Pose2> walked_;          // measured at rest, the newest last
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
-  std::int64_t seen_ns_ = 0;           // when the robot's pose was last known, steady
+  std::int64_t seen_ns_;               // when the robot's pose was last known, steady
   TallyKeeper tally_;
   ObstacleWatch obstacles_;
   std::size_t entry_ = 0;  // of the behaviour under way

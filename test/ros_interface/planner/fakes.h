@@ -24,6 +24,7 @@ class FakePoseSource : public PoseSource {
  public:
   PoseReading latest() const override {
     const std::lock_guard<std::mutex> lock(mutex_);
+    ++looks;
     return reading_;
   }
   PoseReading robotPose(const Stop&) const override { return latest(); }
@@ -42,6 +43,7 @@ class FakePoseSource : public PoseSource {
   void releaseGoals() { released_ = true; }
 
   double held_x_m = -1e9;
+  mutable std::atomic<int> looks{0};
 
  private:
   mutable std::mutex mutex_;

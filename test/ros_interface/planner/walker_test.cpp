@@ -133,14 +133,32 @@ TEST_F(WalkerTest, JudgesWhereTheRobotIsWhenItStandsNotWhereItPasses) {
   EXPECT_LE(distance(*poses_.latest().pose, {0.0, 0.0, 0.0}), options_.planner.xy_tolerance_m);
 }
 
-TEST_F(WalkerTest, APoseThatIsLostWhileTheRobotComesToRestIsToldAtOnce) {
+TEST_F(WalkerTest, APoseThatIsLostWhileTheRobotComesToRestIsTold) {
   player_.returning = true;
   Client client;
   submit(client, goalAt(1.0, 0.0, 0.0));
   client.waitForAcceptance();
   poses_.set({std::nullopt, "The robot's pose is lost."});
+  while (client.ends() == 0) clock_.pass(kSecond_ns / 10);
   EXPECT_EQ(client.waitForEnd().code, GoalCode::POSE_LOST);
   EXPECT_EQ(player_.begun, 0);
+}
+
+TEST_F(WalkerTest, APoseThatIsLostForAMomentThenDoesNotMakeAPassingOneCount) {
+  player_.returning = true;
+  Client client;
+  submit(client, goalAt(0.0, 0.0, 0.0));
+  client.waitForAcceptance();
+  const int looks = poses_.looks;
+  poses_.set({std::nullopt, "The robot's pose is lost."});
+  while (poses_.looks < looks + 2) std::this_thread::yield();
+  poses_.set({Pose2(), ""});  // at the goal, in passing
+  while (poses_.looks < looks + 4) std::this_thread::yield();
+  EXPECT_EQ(client.ends(), 0u);
+  poses_.set({Pose2{0.4, 0.1, 0.5}, ""});
+  player_.returning = false;
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::SUCCEEDED);
+  EXPECT_GT(player_.begun, 0);
 }
 
 TEST_F(WalkerTest, ACancelWhileTheRobotComesToRestIsNotLost) {
