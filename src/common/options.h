@@ -13,7 +13,7 @@ using OptionValue = std::variant<bool, std::int64_t, double, std::string>;
 
 /// One declared option: the single home of its name, unit, range and meaning, bound to the field
 /// that holds its default and receives its value. Parameter server, YAML files, command lines, help
-/// texts and README tables all come from it.
+/// texts and doc/options.md all come from it.
 struct Option {
   using Target = std::variant<bool*, std::int64_t*, double*, std::string*>;
 

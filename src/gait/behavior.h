@@ -12,7 +12,7 @@
 namespace hexapod {
 
 /// What the learner evaluates and the executor plays, command by command, the same in both:
-/// neutral pose -> gait -> back to the neutral pose, at rest. ("A behaviour", see README.)
+/// neutral pose -> gait -> back to the neutral pose, at rest. ("A behaviour": doc/house.md.)
 ///
 /// A behaviour is a fixed sequence of commandCount() joint commands, one per command period;
 /// command k is sent at k * command_period_s and holds until the next. It is the gait at that time,

@@ -20,6 +20,14 @@ def test_links_lead_to_files(document):
     assert [link for link in local if not (document.parent / link).exists()] == []
 
 
+def test_the_readme_is_one_screen_and_leads_to_the_pages():
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    lines = readme.splitlines()
+    assert len(lines) <= 50 and max(map(len, lines)) <= 110
+    first = {"doc/index.md", "doc/tutorial.md", "doc/using.md", "doc/reference.md", "doc/measured.md"}
+    assert first <= set(LINK.findall(readme))
+
+
 def test_the_picture_of_the_house_is_that_of_the_includes():
     sys.path.insert(0, str(ROOT / "doc"))
     import house  # pylint: disable=import-outside-toplevel
