@@ -97,8 +97,10 @@ std::optional<std::vector<Symmetry::LegImage>> Mirror::legImages() {
     for (std::size_t other = 0; other < robot_.legs.size() && !nearest.image; ++other) {
       Comparison comparison = compare(leg, robot_.legs[other]);
       if (comparison.image) comparison.image->leg = other;
-      const bool is_nearer =
-          nearest.difference.empty() || comparison.agreeing_parts > nearest.agreeing_parts;
+      const bool is_nearer = nearest.difference.empty() ||
+                             comparison.agreeing_parts > nearest.agreeing_parts ||
+                             (comparison.agreeing_parts == nearest.agreeing_parts &&
+                              comparison.apart_m < nearest.apart_m);
       if (comparison.image || is_nearer) nearest = comparison;
     }
     if (!nearest.image) {
@@ -139,6 +141,7 @@ Mirror::Comparison Mirror::compare(const Leg& leg, const Leg& other) const {
     const double sense = axis.dot(twin_axis) > 0.0 ? 1.0 : -1.0;
     const Eigen::Vector3d origin = imageOf(base_from_body.translation());
     const Eigen::Vector3d twin_origin = base_from_twin.translation();
+    if (s == 0) result.apart_m = (origin - twin_origin).norm();
     if (!same(origin, twin_origin, length_tolerance_m_)) {
       return fail("joint " + joint.name + " would be at " + pointText(origin) +
                   " m, the nearest, " + twin.name + ", is at " + pointText(twin_origin) + " m");

@@ -28,6 +28,7 @@ class Mirror {
   struct Comparison {
     std::optional<Symmetry::LegImage> image;
     std::size_t agreeing_parts = 0;
+    double apart_m = 0.0;  ///< image of the hip from the other leg's
     std::string difference;
   };
 

@@ -1,7 +1,8 @@
 """Expands xacro files to URDF: properties, macros, blocks, conditions, includes and arguments.
 
-For machines without the program xacro. What it does not know (xacro:element, xacro:attribute,
-namespaces of includes) is refused by name.
+For machines without the program xacro. Files of its older versions are understood, too: macros that
+are used before they are defined, and tags without the prefix. What it does not know (xacro:element,
+xacro:attribute, namespaces of includes) is refused by name.
 """
 import pathlib
 from typing import Any, Callable, Dict, List
@@ -13,11 +14,25 @@ from hexapod_repertoire.xacro_values import Evaluator, Scope, XacroError
 
 PREFIX = "xacro:"
 DEEPEST = 60  # macros within macros
+# Tags that older files write without the prefix, and what tells them from others of that name.
+BARE = {"property": "name", "macro": "name", "include": "filename", "insert_block": "name",
+        "if": "value", "unless": "value"}
+# A macro of such a name is only called with the prefix.
+URDF_TAGS = frozenset(
+    "axis box capsule child collision color cylinder dynamics gazebo geometry inertia inertial joint "
+    "limit link mass material mesh mimic origin parent robot sensor sphere texture transmission "
+    "visual".split())
 
 
 def elements(nodes: List[minidom.Node]) -> List[minidom.Element]:
     """Those of the nodes that are elements."""
     return [node for node in nodes if node.nodeType == node.ELEMENT_NODE]
+
+
+def macro_name(node: minidom.Element) -> str:
+    """Of a macro's definition."""
+    name = node.getAttribute("name")
+    return name[len(PREFIX):] if name.startswith(PREFIX) else name
 
 
 class Expander:
@@ -38,7 +53,7 @@ class Expander:
             if not name.startswith("xmlns:"):
                 result.setAttribute(name, self._evaluator.text(value, scope))
         self._evaluator.folder = file.parent
-        for node in self._all(root.childNodes, scope):
+        for node in self._file(root, scope):
             result.appendChild(node)
         return result.toxml() + "\n"
 
@@ -61,8 +76,24 @@ class Expander:
                 made += self._element(node, scope)
         return made
 
+    def _file(self, root: minidom.Element, scope: Scope) -> List[minidom.Node]:
+        """What becomes of a file, whose macros may be used above their definition."""
+        for node in elements(root.childNodes):
+            if self._verb(node) == "macro" and macro_name(node) not in self._macros:
+                self._define(node, scope)
+        return self._all(root.childNodes, scope)
+
+    def _verb(self, node: minidom.Element) -> str:
+        """What a tag asks for, or "" where it is none of xacro's."""
+        tag = node.tagName
+        if tag.startswith(PREFIX):
+            return tag[len(PREFIX):]
+        is_bare = tag in BARE and node.hasAttribute(BARE[tag])
+        return tag if is_bare or (tag in self._macros and tag not in URDF_TAGS) else ""
+
     def _element(self, node: minidom.Element, scope: Scope) -> List[minidom.Node]:
-        if not node.tagName.startswith(PREFIX):
+        verb = self._verb(node)
+        if not verb:
             result = self._document.createElement(node.tagName)
             for name, value in node.attributes.items():
                 if not name.startswith("xmlns:"):
@@ -70,7 +101,6 @@ class Expander:
             for child in self._all(node.childNodes, scope):
                 result.appendChild(child)
             return [result]
-        verb = node.tagName[len(PREFIX):]
         known: Dict[str, Callable[[minidom.Element, Scope], List[minidom.Node]]] = {
             "property": self._property, "arg": self._argument, "macro": self._define,
             "include": self._include, "insert_block": self._insert, "if": self._if,
@@ -119,10 +149,7 @@ class Expander:
         return []
 
     def _define(self, node: minidom.Element, scope: Scope) -> List[minidom.Node]:
-        name = node.getAttribute("name")
-        if name.startswith(PREFIX):
-            name = name[len(PREFIX):]
-        self._macros[name] = Macro(parameters_of(node.getAttribute("params")),
+        self._macros[macro_name(node)] = Macro(parameters_of(node.getAttribute("params")),
                                    list(node.childNodes), scope, self._evaluator.folder)
         return []
 
@@ -135,7 +162,7 @@ class Expander:
         here = self._evaluator.folder
         self._evaluator.folder = file.parent
         try:
-            return self._nested(lambda: self._all(self._parse(file).childNodes, scope))
+            return self._nested(lambda: self._file(self._parse(file), scope))
         finally:
             self._evaluator.folder = here
 
@@ -148,7 +175,7 @@ class Expander:
 
     def _if(self, node: minidom.Element, scope: Scope) -> List[minidom.Node]:
         is_true = self._evaluator.condition(node.getAttribute("value"), scope)
-        wanted = node.tagName == PREFIX + "if"
+        wanted = self._verb(node) == "if"
         return self._all(node.childNodes, scope) if is_true == wanted else []
 
     def _call(self, name: str, node: minidom.Element, scope: Scope) -> List[minidom.Node]:

@@ -126,7 +126,9 @@ class Evaluator:
 
     def _expression(self, text: str, scope: Scope) -> Any:
         try:
-            return self._node(ast.parse(text.strip(), mode="eval").body, scope)
+            # Substitutions in an expression come first, also those in its texts.
+            plain = self.text(text, scope) if "$(" in text else text
+            return self._node(ast.parse(plain.strip(), mode="eval").body, scope)
         except XacroError as problem:
             raise XacroError(f"{problem} (in ${{{text}}})") from None
         except (ArithmeticError, AttributeError, LookupError, SyntaxError, TypeError, ValueError,

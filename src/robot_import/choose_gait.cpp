@@ -2,29 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <optional>
 
 #include "common/text.h"
 #include "robot/assemble_robot.h"
 #include "robot/dimensions.h"
 #include "robot_import/judge_pose.h"
+#include "robot_import/pose_grid.h"
 #include "simulation/kinematics.h"
 
 namespace hexapod {
 namespace {
 
-constexpr int kHeights = 30;  // at which standing is compared
 constexpr double kGravity_m_per_s2 = 9.81;
-
-// Values per joint of the grid of poses, by the number of joints.
-int gridSize(std::size_t joints) { return joints <= 2 ? 33 : joints == 3 ? 13 : 7; }
+// Of the room that legs can make below the body at most, what a stand should have.
+constexpr double kUsedClearance = 0.6;
+// Of the reach; with less of it the body stays on the floor.
+constexpr double kLeastClearance = 0.02;
 
 // A quarter of degrees: what files round to anyway.
 double rounded(double angle_rad) { return std::round(angle_rad * 1e4) / 1e4; }
-
-/// The best pose found at each height for one way to share the joints between the signals.
-using BestByHeight = std::vector<std::optional<JudgedPose>>;
 
 class GaitChooser {
  public:
@@ -41,26 +39,23 @@ class GaitChooser {
       models_.emplace_back(leg);
       task_.middle_m += models_.back().hip_m().head<2>() / static_cast<double>(robot.legs.size());
     }
-    top_m_ = 0.0;
-    bottom_m_ = 0.0;
-    for (const LegModel& model : models_) {
-      top_m_ = std::max(top_m_, model.hip_m().z());
-      bottom_m_ = std::min(bottom_m_, model.hip_m().z() - model.reach_m());
-    }
+    lowest_m_ = -std::numeric_limits<double>::infinity();
+    for (const LegModel& model : models_) lowest_m_ = std::max(lowest_m_, lowestFoot_m(model));
+    task_.clearance_m = kUsedClearance * (task_.belly_m - lowest_m_);
   }
 
   void choose() {
-    // 1. Over the grid, for every leg and way to share.
-    for (const LegModel& model : models_) searchGrid(model);
-    // 2. Legs of as many joints share them alike; all stand at one height.
-    const int height = bestHeight();
+    if (task_.clearance_m < kLeastClearance * legReach_m(robot_)) return complainOfShortLegs();
+    // 1. Over the grid: legs of as many joints share them alike; all stand at one height.
+    const PoseGrid grid(models_, task_);
+    const std::optional<std::size_t> height = grid.bestHeight();
+    if (!height) return complainOfHeights();
     std::vector<JudgedPose> chosen;
     for (std::size_t leg = 0; leg < models_.size(); ++leg) {
-      const SignalShares shares = bestShares(models_[leg].jointCount(), height).first;
-      chosen.push_back(*found_[leg].at(shares)[static_cast<std::size_t>(height)]);
-      shares_.push_back(shares);
+      shares_.push_back(grid.bestShares(models_[leg].jointCount(), *height).first);
+      chosen.push_back(grid.best(leg, shares_.back(), *height));
     }
-    // 3. From the grid to the best poses around, then to the very same height.
+    // 2. From the grid to the best poses around, then to the very same height.
     for (std::size_t leg = 0; leg < models_.size(); ++leg) refine(leg, chosen[leg]);
     copyToImages(chosen);
     double floor_m = 0.0;
@@ -73,91 +68,6 @@ class GaitChooser {
   }
 
  private:
-  static std::vector<SignalShares> waysToShare(std::size_t joints) {
-    std::vector<SignalShares> ways;
-    SignalShares shares(joints, 0);
-    for (bool more = true; more;) {
-      const bool has_both = std::count(shares.begin(), shares.end(), 1) > 0 &&
-                            std::count(shares.begin(), shares.end(), 2) > 0;
-      if (has_both || joints == 1) ways.push_back(shares);
-      more = false;
-      for (int& share : shares) {
-        share = (share + 1) % 3;
-        more = share != 0;
-        if (more) break;
-      }
-    }
-    return ways;
-  }
-
-  std::size_t heightOf(double floor_m) const {
-    const double share = (top_m_ - floor_m) / (top_m_ - bottom_m_);
-    return static_cast<std::size_t>(std::clamp(share * kHeights, 0.0, kHeights - 1.0));
-  }
-
-  void searchGrid(const LegModel& model) {
-    const std::size_t n = model.jointCount();
-    const int size = gridSize(n);
-    std::vector<std::vector<double>> values(n);
-    for (std::size_t j = 0; j < n; ++j) {
-      const Joint& joint = model.leg().segments[j].joint;
-      for (int i = 0; i < size; ++i) {
-        values[j].push_back(joint.lower_rad +
-                            (i + 0.5) / size * (joint.upper_rad - joint.lower_rad));
-      }
-      values[j].push_back(std::clamp(0.0, joint.lower_rad, joint.upper_rad));
-    }
-    std::map<SignalShares, BestByHeight> best;
-    for (const SignalShares& shares : waysToShare(n)) best[shares].resize(kHeights);
-    std::vector<std::size_t> at(n, 0);
-    std::vector<double> angles(n);
-    for (bool more = true; more;) {
-      for (std::size_t j = 0; j < n; ++j) angles[j] = values[j][at[j]];
-      for (auto& [shares, by_height] : best) keepBetter(model, shares, angles, by_height);
-      more = false;
-      for (std::size_t j = 0; j < n && !more; ++j) {
-        at[j] = (at[j] + 1) % values[j].size();
-        more = at[j] != 0;
-      }
-    }
-    found_.push_back(std::move(best));
-  }
-
-  void keepBetter(const LegModel& model, const SignalShares& shares,
-                  const std::vector<double>& angles, BestByHeight& by_height) {
-    JudgedPose judged = judgePose(model, task_, shares, angles);
-    std::optional<JudgedPose>& best = by_height[heightOf(judged.floor_m)];
-    if (!best || judged.score > best->score) best = std::move(judged);
-  }
-
-  // Sharing that suits all legs of as many joints at a height, with the sum of their scores.
-  std::pair<SignalShares, double> bestShares(std::size_t joints, int height) const {
-    std::pair<SignalShares, double> best{{}, -1e12};
-    for (const SignalShares& shares : waysToShare(joints)) {
-      double sum = 0.0;
-      for (std::size_t leg = 0; leg < models_.size(); ++leg) {
-        if (models_[leg].jointCount() != joints) continue;
-        const auto& pose = found_[leg].at(shares)[static_cast<std::size_t>(height)];
-        sum += pose ? pose->score : -1e6;
-      }
-      if (sum > best.second) best = {shares, sum};
-    }
-    return best;
-  }
-
-  int bestHeight() const {
-    std::map<std::size_t, int> counts;
-    for (const LegModel& model : models_) ++counts[model.jointCount()];
-    int best = 0;
-    double best_sum = -1e15;
-    for (int height = 0; height < kHeights; ++height) {
-      double sum = 0.0;
-      for (const auto& [joints, count] : counts) sum += bestShares(joints, height).second;
-      if (sum > best_sum) best = height, best_sum = sum;
-    }
-    return best;
-  }
-
   // Uphill along each joint in turn, with steps that halve, staying near the height.
   void refine(std::size_t leg, JudgedPose& pose) const {
     const double floor_m = pose.floor_m;
@@ -250,6 +160,22 @@ class GaitChooser {
     }
   }
 
+  void complainOfShortLegs() {
+    report_.problems.add(
+        report_.source,
+        "cannot stand: within their limits its feet do not all reach below its body, whose lowest "
+        "point is at z = " +
+            numberText(task_.belly_m) +
+            " m of the base link; the least that a foot gets down to is " +
+            numberText(rounded(lowest_m_)) + " m. Check the limits, and that z is up.");
+  }
+
+  void complainOfHeights() {
+    report_.problems.add(report_.source,
+                         "cannot stand: there is no height that the feet of all legs reach within "
+                         "their limits. Check the limits, and that z of the base link is up.");
+  }
+
   void complain(const std::vector<JudgedPose>& chosen) {
     for (std::size_t leg = 0; leg < chosen.size(); ++leg) {
       const double needed = chosen[leg].torque_share;
@@ -268,8 +194,7 @@ class GaitChooser {
   ImportReport& report_;
   StandingTask task_;
   std::vector<LegModel> models_;
-  double top_m_, bottom_m_;  // between which heights are compared
-  std::vector<std::map<SignalShares, BestByHeight>> found_;
+  double lowest_m_;                   // that all feet reach
   std::vector<SignalShares> shares_;  // chosen, per leg
 };
 

@@ -27,17 +27,32 @@ bool hasBody(const urdf::Link& link) {
          !link.visual_array.empty();
 }
 
+// A link with two joints above it is where a linkage closes; the parser lets that pass.
+void refuseLoops(const urdf::ModelInterface& model, ImportReport& report) {
+  std::map<std::string, std::string> joint_above;
+  for (const auto& [name, joint] : model.joints_) {
+    const auto [above, is_first] = joint_above.emplace(joint->child_link_name, name);
+    if (is_first) continue;
+    report.problems.add(report.source, {"link", joint->child_link_name},
+                        "is below two joints, " + above->second + " and " + name +
+                            ": a closed loop, which a tree of links cannot have. Leave out one of "
+                            "them; the leg is then simulated without that linkage.");
+  }
+}
+
 class LegFinder {
  public:
   LegFinder(urdf::ModelInterface& model, ImportReport& report) : model_(model), report_(report) {}
 
   std::vector<JointChain> find(const urdf::LinkSharedPtr& base) {
-    std::vector<JointChain> legs;
+    std::vector<Chain> chains;
     for (const urdf::JointSharedPtr& first : movingBelow(base)) {
-      const JointChain leg = chainFrom(first);
-      if (!leg.empty()) legs.push_back(leg);
+      const std::size_t hinges = depth(first);
+      const JointChain joints = chainFrom(first);
+      if (!joints.empty()) chains.push_back({joints, hinges});
     }
-    dropWhatIsNoLeg(legs);
+    std::vector<JointChain> legs = legsAmong(chains);
+    complainOfWheels(legs);
     return legs;
   }
 
@@ -104,34 +119,30 @@ class LegFinder {
     return deepest + (isHinge(*joint) ? 1 : 0);
   }
 
-  // A chain alone of its length in the middle of a robot whose other chains are alike is an arm, a
-  // neck or a mast; one of a single hinge beside chains of more is an antenna or a wheel.
-  void dropWhatIsNoLeg(std::vector<JointChain>& legs) {
-    std::map<std::size_t, int> of_length;
-    for (const JointChain& leg : legs) ++of_length[leg.size()];
-    // The length of most chains; single hinges only count where there is nothing longer.
-    std::size_t usual = 1;
-    for (const auto& [length, count] : of_length) {
-      if (length > 1 && (usual == 1 || count >= of_length[usual])) usual = length;
+  // Makes fixed what is no leg.
+  std::vector<JointChain> legsAmong(const std::vector<Chain>& chains) {
+    const std::vector<bool> are_legs = tellLegs(chains);
+    std::vector<JointChain> legs;
+    for (std::size_t i = 0; i < chains.size(); ++i) {
+      if (are_legs[i]) {
+        legs.push_back(chains[i].joints);
+      } else {
+        fixAllFrom(chains[i].joints.front(), "is not part of a leg");
+      }
     }
-    const auto end = std::remove_if(legs.begin(), legs.end(), [&](const JointChain& leg) {
-      const bool is_odd =
-          of_length[leg.size()] == 1 && of_length[usual] >= 3 && leg.size() != usual;
-      const bool is_single = leg.size() == 1 && usual > 1;
-      if (!is_odd && !is_single) return false;
-      fixAllFrom(leg.front(), "is not part of a leg");
-      return true;
-    });
-    legs.erase(end, legs.end());
-    if (!legs.empty() && usual == 1 && of_length[usual] == static_cast<int>(legs.size()) &&
-        std::all_of(legs.begin(), legs.end(), [](const JointChain& leg) {
-          return leg.front()->type == urdf::Joint::CONTINUOUS;
-        })) {
-      report_.problems.add(report_.source,
-                           "moves on " + std::to_string(legs.size()) +
-                               " wheels (joints that turn without end, one after the base each); "
-                               "expected legs of hinges with limits.");
-    }
+    return legs;
+  }
+
+  void complainOfWheels(const std::vector<JointChain>& legs) {
+    const bool are_wheels =
+        !legs.empty() && std::all_of(legs.begin(), legs.end(), [](const JointChain& leg) {
+          return leg.size() == 1 && leg.front()->type == urdf::Joint::CONTINUOUS;
+        });
+    if (!are_wheels) return;
+    report_.problems.add(report_.source,
+                         "moves on " + std::to_string(legs.size()) +
+                             " wheels (joints that turn without end, one after the base each); "
+                             "expected legs of hinges with limits.");
   }
 
   void fixAllFrom(const urdf::JointSharedPtr& joint, const std::string& reason) {
@@ -183,7 +194,14 @@ urdf::LinkSharedPtr findBaseLink(urdf::ModelInterface& model, ImportReport& repo
 
 std::vector<JointChain> findLegs(urdf::ModelInterface& model, const urdf::LinkSharedPtr& base,
                                  ImportReport& report) {
-  const std::vector<JointChain> legs = LegFinder(model, report).find(base);
+  refuseLoops(model, report);
+  report.problems.throwIfAny();
+  std::vector<JointChain> legs = LegFinder(model, report).find(base);
+  if (legs.size() == 1 || legs.size() == 2) {
+    report.problems.add(report.source, "has " + std::to_string(legs.size()) +
+                                           " of the chains of hinges that are legs; expected three "
+                                           "or more: gaits without balance need them.");
+  }
   if (legs.empty()) {
     report.problems.add(report.source, "has no legs: no chain of hinges starts at its base link " +
                                            base->name +

@@ -12,7 +12,9 @@
 #include "robot/urdf_bodies.h"
 #include "robot_import/build_bodies.h"
 #include "robot_import/choose_gait.h"
+#include "robot_import/find_linkages.h"
 #include "robot_import/name_legs.h"
+#include "robot_import/repair_masses.h"
 #include "robot_import/shape_bodies.h"
 #include "robot_import/write_robot.h"
 #include "simulation/world.h"
@@ -29,7 +31,17 @@ constexpr double kEnoughWalk = 0.12;
 constexpr double kMostFall = 0.5;
 constexpr double kFewWalk = 0.1;
 constexpr double kMostTilt_rad = 0.2;
+// Of the reach: gaits that lead less far than this lead nowhere.
+constexpr double kLeastWay = 0.01;
+constexpr double kLongestReach_m = 5.0;
 constexpr double kDegree = M_PI / 180.0;
+
+void refuseOtherUnits(const ImportedRobot& imported, ImportReport& report) {
+  const double reach_m = legReach_m(imported.robot);
+  if (reach_m <= kLongestReach_m) return;
+  report.problems.add(report.source, "has legs that reach " + numberText(std::round(reach_m)) +
+                                         " m. Are its lengths in millimetres? Expected metres.");
+}
 
 ImportedRobot read(const ImportRequest& request, ImportReport& report) {
   report.source = request.urdf_name;
@@ -48,7 +60,9 @@ ImportedRobot read(const ImportRequest& request, ImportReport& report) {
   }
   nameLegs(imported);
   shapeBodies(imported, report);
+  refuseOtherUnits(imported, report);
   report.problems.throwIfAny();
+  remarkLinkages(imported, report);
   repairMasses(imported, report);
   return imported;
 }
@@ -59,6 +73,7 @@ ImportResult tried(ImportedRobot imported, double scale, const ImportRequest& re
   chooseGait(imported, scale, report);
   report.problems.throwIfAny();
   separateLegs(imported, report);
+  report.problems.throwIfAny();
   ImportResult result;
   result.urdf = urdfOf(imported, request.urdf_name);
   result.yaml = yamlOf(imported, request.urdf_name);
@@ -100,6 +115,12 @@ std::string percent(double share) {
   return std::to_string(static_cast<int>(std::lround(100.0 * share))) + " %";
 }
 
+std::string line(const char* format, double a, double b = 0.0, double c = 0.0) {
+  char text[256];
+  std::snprintf(text, sizeof(text), format, a, b, c);
+  return text;
+}
+
 std::string toChange(const ImportResult& result) {
   if (!result.standing.failure.empty()) return result.standing.failure;
   if (result.standing.tilt_rad > kMostTilt_rad) {
@@ -117,13 +138,11 @@ std::string toChange(const ImportResult& result) {
            " of random gaits walk: give the joints in the "
            "YAML smaller amplitudes or a lower stand.";
   }
+  if (result.gaits.median_way_m < kLeastWay * legReach_m(result.robot)) {
+    return line("random gaits lead nowhere, %.2g m in the median: ", result.gaits.median_way_m) +
+           "check limits and velocities of the joints, and the amplitudes in the YAML.";
+  }
   return "";
-}
-
-std::string line(const char* format, double a, double b = 0.0, double c = 0.0) {
-  char text[256];
-  std::snprintf(text, sizeof(text), format, a, b, c);
-  return text;
 }
 
 // What the learner's own options do not suit.

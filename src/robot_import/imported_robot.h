@@ -32,6 +32,7 @@ struct BodyExtras {
   std::vector<Frame> frames;
   Points collision_points;  ///< of collision meshes, in the body's frame
   std::size_t meshes = 0;
+  std::size_t lost_meshes = 0;  ///< of either kind, that could not be read
 };
 
 /// A robot on its way from somebody's URDF to a description. Bodies and joints are in the axes of

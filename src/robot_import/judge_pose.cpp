@@ -65,7 +65,9 @@ double strokeQuality(const SignalMotion& motion, bool ahead) {
 
 double liftQuality(const SignalMotion& motion) {
   const Eigen::Vector3d& v = motion.direction;
-  return std::max(0.0, v.z() - 0.5 * v.head<2>().norm()) * std::sqrt(motion.room);
+  if (v.z() <= 0.0) return 0.0;
+  // A foot that also goes aside lifts less well, but lifts.
+  return v.z() * v.z() / (v.z() + 0.5 * v.head<2>().norm()) * std::sqrt(motion.room);
 }
 
 }  // namespace
@@ -121,11 +123,15 @@ JudgedPose judgePose(const LegModel& leg, const StandingTask& task, const Signal
   // A leg in the middle, ahead or behind, stays there.
   const bool is_on_axis = std::abs(hip_m.y()) < 0.05 * hip_m.norm();
   if (is_on_axis) score -= 3.0 * std::abs(out_m.y()) / reach_m;
+  // Others do not reach under the body, where they meet.
+  const double inwards_m = std::abs(hip_m.y()) - std::copysign(1.0, hip_m.y()) * foot_m.y();
+  if (!is_on_axis) score -= 2.0 * std::max(0.0, inwards_m) / reach_m;
   if (hip_m.norm() > 1e-6 && out_m.norm() > 1e-6) {
     const double cosine = out_m.dot(hip_m) / out_m.norm() / hip_m.norm();
     score += 0.15 * cosine * std::min(1.0, out_m.norm() / (0.3 * reach_m));
   }
-  score -= 3.0 * std::max(0.0, 0.35 - (task.belly_m - judged.floor_m) / reach_m);
+  const double clearance_m = std::min(task.clearance_m, 0.35 * reach_m);
+  score -= 3.0 * std::max(0.0, clearance_m - (task.belly_m - judged.floor_m)) / reach_m;
   score -= 3.0 * std::max(0.0, 0.15 - (pose.lowest_of_others_m - judged.floor_m) / reach_m);
   judged.score = score;
   return judged;

@@ -13,6 +13,7 @@ using SignalShares = std::vector<int>;
 struct StandingTask {
   double load_n = 0.0;             ///< that the foot carries
   double belly_m = 0.0;            ///< lowest point of the base, in its frame
+  double clearance_m = 0.0;        ///< that is wanted below it
   Eigen::Vector2d middle_m{0, 0};  ///< of the hips
   double scale = 1.0;              ///< of stroke and lift
 };

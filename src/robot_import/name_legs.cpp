@@ -1,12 +1,12 @@
 #include "robot_import/name_legs.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <numeric>
 #include <set>
 
 #include "robot/assemble_robot.h"
+#include "robot_import/name_words.h"
 
 namespace hexapod {
 namespace {
@@ -15,49 +15,39 @@ Eigen::Vector2d hipOf(const Leg& leg) {
   return leg.segments.front().joint.parent_from_joint.translation().head<2>();
 }
 
-// Where the leg is: its hip, or where it reaches at angle 0 when all hips are in one place.
-Eigen::Vector2d placeOf(const Leg& leg) {
-  Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
-  for (const Segment& segment : leg.segments) pose = pose * segment.joint.parent_from_joint;
-  return hipOf(leg) + 0.1 * (pose.translation().head<2>() - hipOf(leg));
-}
-
-// Words of a name, in small letters: "LFThigh_joint" -> lf, thigh, joint; "frontLeft2" -> front,
-// left, 2.
-std::set<std::string> wordsOf(const std::string& name) {
-  std::set<std::string> words;
-  std::string word;
-  const auto end = [&] {
-    if (!word.empty()) words.insert(word);
-    word.clear();
-  };
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto c = static_cast<unsigned char>(name[i]);
-    const auto next = static_cast<unsigned char>(i + 1 < name.size() ? name[i + 1] : 0);
-    if (std::isalpha(c) == 0) {
-      end();
-      continue;
-    }
-    if (std::isupper(c) != 0 && (std::islower(next) != 0) && word.size() != 1) end();
-    word += static_cast<char>(std::tolower(c));
-    if (std::islower(c) != 0 && std::isupper(next) != 0) end();
+// Where the leg is, from the middle of the hips, as the base's origin may be beside the robot: its
+// hip, or where it reaches at angle 0 when all hips are in one place.
+std::vector<Eigen::Vector2d> placesOf(const RobotDescription& robot) {
+  Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+  for (const Leg& leg : robot.legs) middle += hipOf(leg) / static_cast<double>(robot.legs.size());
+  std::vector<Eigen::Vector2d> places;
+  for (const Leg& leg : robot.legs) {
+    Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();
+    for (const Segment& segment : leg.segments) pose = pose * segment.joint.parent_from_joint;
+    const Eigen::Vector2d hip = hipOf(leg);
+    places.push_back(hip - middle + 0.1 * (pose.translation().head<2>() - hip));
   }
-  end();
-  return words;
+  return places;
 }
 
-bool hasAny(const std::set<std::string>& words, const std::vector<std::string>& of) {
-  return std::any_of(of.begin(), of.end(), [&](const auto& word) { return words.count(word) > 0; });
+double widthOf(const std::vector<Eigen::Vector2d>& places) {
+  double width_m = 0.0;
+  for (const Eigen::Vector2d& place : places) width_m = std::max(width_m, place.norm());
+  return width_m;
 }
+
+// Whether a coordinate of a place is nothing beside the robot's size.
+bool isNone(double coordinate_m, double width_m) { return std::abs(coordinate_m) < 0.05 * width_m; }
 
 // Mean place of the legs that `of` is said of less that of those that `against` is said of.
 Eigen::Vector2d direction(const RobotDescription& robot, const std::vector<std::string>& of,
                           const std::vector<std::string>& against) {
   Eigen::Vector2d sums[2] = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   double counts[2] = {0.0, 0.0};
-  for (const Leg& leg : robot.legs) {
+  const std::vector<Eigen::Vector2d> places = placesOf(robot);
+  for (std::size_t i = 0; i < robot.legs.size(); ++i) {
     std::set<std::string> words;
-    for (const Segment& segment : leg.segments) {
+    for (const Segment& segment : robot.legs[i].segments) {
       for (const std::string& name : {segment.joint.name, segment.body.name}) {
         const std::set<std::string> more = wordsOf(name);
         words.insert(more.begin(), more.end());
@@ -65,7 +55,7 @@ Eigen::Vector2d direction(const RobotDescription& robot, const std::vector<std::
     }
     const bool is_of = hasAny(words, of), is_against = hasAny(words, against);
     if (is_of == is_against) continue;
-    sums[is_of ? 0 : 1] += placeOf(leg);
+    sums[is_of ? 0 : 1] += places[i];
     counts[is_of ? 0 : 1] += 1.0;
   }
   if (counts[0] == 0.0 || counts[1] == 0.0) return Eigen::Vector2d::Zero();
@@ -75,6 +65,24 @@ Eigen::Vector2d direction(const RobotDescription& robot, const std::vector<std::
 std::string axisOf(const Eigen::Vector2d& forward) {
   if (std::abs(forward.x()) >= std::abs(forward.y())) return forward.x() >= 0.0 ? "x" : "-x";
   return forward.y() >= 0.0 ? "y" : "-y";
+}
+
+// Ahead is where fewest legs are, as they stand to the sides, and along the longer axis of the
+// hips. Where those are spread alike both ways the convention decides: x.
+std::string axisByHips(const RobotDescription& robot) {
+  constexpr double kAlike = 1.1;
+  const std::vector<Eigen::Vector2d> places = placesOf(robot);
+  const double width_m = widthOf(places);
+  Eigen::Vector2d spread = Eigen::Vector2d::Zero();
+  int on_x = 0, on_y = 0;
+  for (const Eigen::Vector2d& place : places) {
+    spread += place.cwiseAbs2();
+    on_x += isNone(place.y(), width_m) ? 1 : 0;
+    on_y += isNone(place.x(), width_m) ? 1 : 0;
+  }
+  if (spread.maxCoeff() <= kAlike * spread.minCoeff()) return "x";
+  if (on_x != on_y) return on_x < on_y ? "x" : "y";
+  return spread.y() > spread.x() ? "y" : "x";
 }
 
 // "left_front": one of the names of a side of `count` legs, from the front.
@@ -104,27 +112,20 @@ void guessForward(ImportedRobot& imported) {
     imported.forward = axisOf(by_sides);
     imported.forward_reason = "names of the left and right legs";
   } else {
-    Eigen::Vector2d spread = Eigen::Vector2d::Zero();
-    for (const Leg& leg : robot.legs) spread += hipOf(leg).cwiseAbs2();
-    imported.forward = spread.y() > 1.1 * spread.x() ? "y" : "x";
-    imported.forward_reason = "the longer axis of the hips; no names tell";
+    imported.forward = axisByHips(robot);
+    imported.forward_reason = "the places of the hips; no names tell";
   }
 }
 
 void nameLegs(ImportedRobot& imported) {
   RobotDescription turned = imported.robot;
   turnForward(imported.forward, turned);
-  std::vector<Eigen::Vector2d> places;
-  double width_m = 0.0;
-  for (const Leg& leg : turned.legs) {
-    places.push_back(placeOf(leg));
-    width_m = std::max(width_m, places.back().norm());
-  }
+  const std::vector<Eigen::Vector2d> places = placesOf(turned);
+  const double width_m = widthOf(places);
   // Clockwise from ahead, negative on the left: left rear comes last on its side.
-  const auto is_on_axis = [&](std::size_t i) { return std::abs(places[i].y()) < 0.05 * width_m; };
   std::vector<std::size_t> left, right, middle;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    (is_on_axis(i) ? middle : places[i].y() > 0.0 ? left : right).push_back(i);
+    (isNone(places[i].y(), width_m) ? middle : places[i].y() > 0.0 ? left : right).push_back(i);
   }
   const auto from_front = [&](std::size_t a, std::size_t b) {
     return places[a].x() > places[b].x();

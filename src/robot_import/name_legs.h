@@ -7,7 +7,7 @@
 namespace hexapod {
 
 /// Guesses which axis of the base link points forward: where names tell front from rear or left
-/// from right, they; otherwise the longer axis of the hips. Sets `forward` and `forward_reason`.
+/// from right, they; otherwise the places of the hips. Sets `forward` and `forward_reason`.
 void guessForward(ImportedRobot& imported);
 
 /// Orders the legs as the genome has them, counter-clockwise seen from above from the left rear one

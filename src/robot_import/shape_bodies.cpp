@@ -1,11 +1,8 @@
 #include "robot_import/shape_bodies.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "common/text.h"
-#include "robot/dimensions.h"
-#include "robot/urdf_bodies.h"
+#include "robot_import/guess_shapes.h"
 #include "simulation/kinematics.h"
 
 namespace hexapod {
@@ -62,82 +59,6 @@ Points pointsOf(const std::vector<Look>& looks) {
   }
   return points;
 }
-
-// Shapes of a robot whose meshes are not at hand, from its joints and masses alone.
-class ShapeGuesser {
- public:
-  ShapeGuesser(ImportedRobot& imported, ImportReport& report)
-      : imported_(imported), report_(report) {}
-
-  void guess() {
-    if (imported_.robot.base.shapes.empty() && imported_.robot.base.mass_kg > 0.0) guessBase();
-    std::size_t b = 1;
-    for (Leg& leg : imported_.robot.legs) {
-      const std::size_t first = b;
-      b += leg.segments.size();
-      const bool has_shape = std::any_of(leg.segments.begin(), leg.segments.end(),
-                                         [](const Segment& s) { return !s.body.shapes.empty(); });
-      const bool has_mass = std::any_of(leg.segments.begin(), leg.segments.end(),
-                                        [](const Segment& s) { return s.body.mass_kg > 0.0; });
-      if (!has_shape && has_mass) guessLeg(leg, first);
-    }
-  }
-
- private:
-  // A plate between the hips.
-  void guessBase() {
-    Body& base = imported_.robot.base;
-    Points hips;
-    for (const Leg& leg : imported_.robot.legs) {
-      hips.push_back(leg.segments.front().joint.parent_from_joint.translation());
-    }
-    Shape plate = fitBox(hips);
-    plate.size_m.z() = std::max(plate.size_m.z(), 0.15 * plate.size_m.maxCoeff());
-    base.shapes.push_back(plate);
-    remark(base);
-  }
-
-  // Rods from joint to joint, and on to where the last link must end.
-  void guessLeg(Leg& leg, std::size_t first) {
-    double length_m = 0.0;
-    for (std::size_t s = 1; s < leg.segments.size(); ++s) {
-      length_m += leg.segments[s].joint.parent_from_joint.translation().norm();
-    }
-    const double radius_m = std::max(0.002, 0.05 * length_m);
-    for (std::size_t s = 0; s < leg.segments.size(); ++s) {
-      Body& body = leg.segments[s].body;
-      const bool is_last = s + 1 == leg.segments.size();
-      const Eigen::Vector3d end = is_last
-                                      ? tipOf(body, imported_.extras[first + s])
-                                      : leg.segments[s + 1].joint.parent_from_joint.translation();
-      if (end.norm() < 2.0 * radius_m) continue;
-      body.shapes.push_back(rod(end, radius_m));
-      remark(body);
-    }
-  }
-
-  // The farthest frame that is fixed to it, or twice as far as its centre of mass.
-  static Eigen::Vector3d tipOf(const Body& body, const BodyExtras& extras) {
-    Eigen::Vector3d tip = 2.0 * body.center_of_mass_m;
-    double farthest_m = body.center_of_mass_m.norm();
-    for (const Frame& frame : extras.frames) {
-      const Eigen::Vector3d at = frame.body_from_link.translation();
-      if (at.norm() <= farthest_m) continue;
-      farthest_m = at.norm();
-      tip = at;
-    }
-    return tip;
-  }
-
-  void remark(const Body& body) {
-    report_.remarks.add("shapes", {"link", body.name},
-                        "has no shape that could be read: guessed from the joints, from the frames "
-                        "fixed to it and its centre of mass. Check the picture.");
-  }
-
-  ImportedRobot& imported_;
-  ImportReport& report_;
-};
 
 class Shaper {
  public:
@@ -256,33 +177,6 @@ std::pair<Shape*, Shape*> touching(const std::vector<Placed>& segments, double l
   return {nullptr, nullptr};
 }
 
-double densityOf(const Body& body) {
-  double volume = 0.0;
-  for (const Shape& shape : body.shapes) volume += volume_m3(shape);
-  return volume > 0.0 ? body.mass_kg / volume : 0.0;
-}
-
-void inertiaFromShapes(Body& body, double smallest_m) {
-  double volume = 0.0;
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();
-  for (const Shape& shape : body.shapes) {
-    volume += volume_m3(shape);
-    center += volume_m3(shape) * shape.body_from_shape.translation();
-  }
-  const Eigen::Matrix3d one = Eigen::Matrix3d::Identity();
-  // Never less than a ball's of the smallest size.
-  body.inertia_kg_m2 = 0.4 * body.mass_kg * smallest_m * smallest_m * one;
-  if (volume <= 0.0) return;
-  body.center_of_mass_m = center / volume;
-  const double density = body.mass_kg / volume;
-  for (const Shape& shape : body.shapes) {
-    const Eigen::Vector3d arm = shape.body_from_shape.translation() - body.center_of_mass_m;
-    body.inertia_kg_m2 +=
-        density * solidInertia(shape) +
-        density * volume_m3(shape) * (arm.squaredNorm() * one - arm * arm.transpose());
-  }
-}
-
 }  // namespace
 
 void shapeBodies(ImportedRobot& imported, ImportReport& report) {
@@ -294,7 +188,7 @@ void shapeBodies(ImportedRobot& imported, ImportReport& report) {
       shaper.shapeSegment(body, extras, is_last);
     }
   });
-  ShapeGuesser(imported, report).guess();
+  guessShapes(imported, report);
   for (const Leg& leg : imported.robot.legs) {
     const bool has_shape = std::any_of(leg.segments.begin(), leg.segments.end(),
                                        [](const Segment& s) { return !s.body.shapes.empty(); });
@@ -322,50 +216,15 @@ void separateLegs(ImportedRobot& imported, ImportReport& report) {
                          "touches another leg in the neutral pose: made thinner, or left out.");
       shape->radius_m *= kThinner;
       if (shape->radius_m > kThinnest) continue;
+      if (body->shapes.size() == 1) {
+        report.problems.add(report.source, {"link", body->name},
+                            "touches another leg in the best stand that was found: check the "
+                            "limits, or which axis points ahead (--forward).");
+        return;
+      }
       body->shapes.erase(body->shapes.begin() + (shape - body->shapes.data()));
     }
   }
-}
-
-void repairMasses(ImportedRobot& imported, ImportReport& report) {
-  constexpr double kDensity_kg_per_m3 = 500.0;
-  constexpr double kLeastShare = 1e-3;
-  constexpr double kSmallestShare = 0.02;
-  std::vector<double> densities;
-  double total_kg = 0.0;
-  forEachBody(imported, [&](Body& body, BodyExtras&, bool, bool) {
-    if (!(body.mass_kg > 0.0)) return;
-    total_kg += body.mass_kg;
-    if (densityOf(body) > 0.0) densities.push_back(densityOf(body));
-  });
-  std::sort(densities.begin(), densities.end());
-  const double density = densities.empty()
-                             ? kDensity_kg_per_m3
-                             : std::clamp(densities[densities.size() / 2], 100.0, 3000.0);
-  const double smallest_m = kSmallestShare * legReach_m(imported.robot);
-  forEachBody(imported, [&](Body& body, BodyExtras&, bool, bool) {
-    bool is_sound = body.mass_kg > 0.0 && isPossibleInertia(body.inertia_kg_m2);
-    if (!(body.mass_kg > 0.0)) {
-      for (const Shape& shape : body.shapes) body.mass_kg += density * volume_m3(shape);
-      report.remarks.add("masses", {"link", body.name},
-                         "has no mass: taken from its shapes with " +
-                             numberText(std::round(density)) + " kg/m^3.");
-    } else if (!is_sound) {
-      report.remarks.add("masses", {"link", body.name},
-                         "has no possible inertia: taken from its shapes and mass.");
-    } else if (isAbsurdInertia(body)) {
-      is_sound = false;
-      report.remarks.add("masses", {"link", body.name},
-                         "has an inertia far beyond its shapes: replaced by that of its shapes.");
-    }
-    if (body.mass_kg < kLeastShare * total_kg) {
-      body.mass_kg = std::max(kLeastShare * total_kg, 1e-4);
-      is_sound = false;
-      report.remarks.add("masses", {"link", body.name},
-                         "is lighter than a thousandth of the robot: taken as that heavy.");
-    }
-    if (!is_sound) inertiaFromShapes(body, smallest_m);
-  });
 }
 
 }  // namespace hexapod

@@ -14,8 +14,4 @@ void shapeBodies(ImportedRobot& imported, ImportReport& report);
 /// that touch even so, with a remark.
 void separateLegs(ImportedRobot& imported, ImportReport& report);
 
-/// Masses from the shapes where there are none, inertias where they are missing or absurd, and at
-/// least a thousandth of the robot's mass for every body; with remarks.
-void repairMasses(ImportedRobot& imported, ImportReport& report);
-
 }  // namespace hexapod

@@ -103,11 +103,39 @@ def test_macros_that_call_themselves_end_by_a_condition(tmp_path):
                                     '<xacro:loop i="0"/>')
 
 
+def test_macros_may_be_used_above_their_definition_and_the_last_one_counts_below(tmp_path):
+    body = """
+      <xacro:wheel name="a"/>
+      <xacro:macro name="wheel" params="name"><link name="${name}_1"/></xacro:macro>
+      <xacro:macro name="wheel" params="name"><link name="${name}_2"/></xacro:macro>
+      <xacro:wheel name="b"/>"""
+    assert names(expanded(tmp_path, body)) == ["a_1", "b_2"]
+
+
+def test_tags_of_older_files_need_no_prefix(tmp_path):
+    (tmp_path / "more.xacro").write_text(HEAD + """
+      <macro name="leg" params="name *place">
+        <joint name="${name}"><insert_block name="place"/></joint>
+      </macro></robot>""")
+    document = expanded(tmp_path, """
+      <property name="length" value="0.5"/>
+      <include filename="more.xacro"/>
+      <leg name="left"><origin xyz="${length} 0 0"/></leg>
+      <if value="${length > 1}"><link name="long"/></if>
+      <unless value="${length > 1}"><link name="short"/></unless>
+      <gazebo><property>kept</property></gazebo>""")
+    assert names(document, "joint") == ["left"]
+    assert document.getElementsByTagName("origin")[0].getAttribute("xyz") == "0.5 0 0"
+    assert names(document) == ["short"]
+    assert document.getElementsByTagName("property")[0].firstChild.data == "kept"
+
+
 def test_arguments_files_and_packages_are_found(tmp_path):
     urdf = tmp_path / "my_description" / "urdf"
     urdf.mkdir(parents=True)
     (urdf / "parts.xacro").write_text(HEAD + """
-      <xacro:property name="sizes" value="${xacro.load_yaml('sizes.yaml')}"/>
+      <xacro:property name="sizes"
+        value="${xacro.load_yaml('$(find my_description)/urdf/sizes.yaml')}"/>
       <xacro:macro name="part" params=""><link name="${sizes['mass']}"/></xacro:macro></robot>""")
     (urdf / "sizes.yaml").write_text("mass: 1.5\n")
     body = """

@@ -2,13 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <set>
-#include <stdexcept>
 
-#include "gait/symmetry.h"
+#include "imports.h"
 #include "made_urdf.h"
 #include "robot/dimensions.h"
 #include "robot/load_robot.h"
@@ -16,59 +13,6 @@
 
 namespace hexapod {
 namespace {
-
-ImportResult import(const std::string& urdf, const std::string& folder = ".") {
-  ImportRequest request;
-  request.urdf_text = urdf;
-  request.urdf_name = "given.urdf";
-  request.urdf_folder = folder;
-  request.gaits = 200;
-  return importRobot(request);
-}
-
-std::string complaint(const std::string& urdf) {
-  try {
-    import(urdf);
-  } catch (const std::runtime_error& error) {
-    return error.what();
-  }
-  return "";
-}
-
-std::string replacedAll(std::string text, const std::string& from, const std::string& to) {
-  if (text.find(from) == std::string::npos) throw std::runtime_error("Nothing to replace: " + from);
-  for (std::size_t at = text.find(from); at != std::string::npos;
-       at = text.find(from, at + to.size())) {
-    text.replace(at, from.size(), to);
-  }
-  return text;
-}
-
-bool isRemarked(const ImportResult& result, const std::string& words) {
-  return std::any_of(result.remarks.begin(), result.remarks.end(), [&](const std::string& remark) {
-    return remark.find(words) != std::string::npos;
-  });
-}
-
-std::vector<std::string> legNames(const RobotDescription& robot) {
-  std::vector<std::string> names;
-  for (const Leg& leg : robot.legs) names.push_back(leg.name);
-  return names;
-}
-
-// What holds of every robot that is ready: it stands on its feet, level, and is simulated fast.
-void expectReady(const ImportResult& result) {
-  EXPECT_EQ(result.to_change, "");
-  EXPECT_LT(result.standing.tilt_rad, 0.02);
-  EXPECT_LT(result.standing.sag_rad, 0.05);
-  EXPECT_LT(result.standing.torque_share, 0.8);
-  EXPECT_EQ(result.standing.on_floor.size(), result.robot.legs.size());
-  EXPECT_EQ(result.gaits.engine, "reduced") << result.gaits.engine_remark;
-  EXPECT_GT(result.gaits.walked(), result.gaits.gaits / 2);
-  // They lead somewhere: the middle one a tenth of a leg's reach.
-  EXPECT_GT(result.gaits.median_way_m, 0.1 * legReach_m(result.robot));
-  for (const std::string& file : {result.urdf, result.yaml}) EXPECT_FALSE(file.empty());
-}
 
 // The foot's way from signal -1 to 1, in the base.
 Eigen::Vector3d stroke(const Leg& leg, Signal signal) {
@@ -247,13 +191,8 @@ TEST(ImportRobot, ImpossibleRobotsAreRefusedWithTheReason) {
   EXPECT_NE(complaint(hexapodUrdf(weak)).find("cannot carry the robot"), std::string::npos);
   EXPECT_NE(complaint("<robot name='stone'><link name='stone'/></robot>").find("has no legs"),
             std::string::npos);
-  std::string empty = hexapodUrdf({});
-  for (const char* part : {"inertial", "visual", "collision"}) {
-    const std::string open = std::string("<") + part + ">", close = std::string("</") + part + ">";
-    for (std::size_t at = empty.find(open); at != std::string::npos; at = empty.find(open)) {
-      empty.erase(at, empty.find(close, at) + close.size() - at);
-    }
-  }
+  const std::string empty =
+      without(without(without(hexapodUrdf({}), "inertial"), "visual"), "collision");
   EXPECT_NE(complaint(empty).find("has neither shape nor mass"), std::string::npos);
 }
 

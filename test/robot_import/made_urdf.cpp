@@ -61,8 +61,10 @@ class Writer {
                                                             "' length='" + number(h) + "'/>"
                                                       : "<box size='" + vector(l, w, h) + "'/>";
     const double mass = robot_.density_kg_per_m3 * l * w * h;
-    link(name, geometry, "0 0 0", "0 0 0", mass,
-         {mass / 12 * (w * w + h * h), mass / 12 * (l * l + h * h), mass / 12 * (l * l + w * w)});
+    const std::string at = vector(robot_.beside_x_m, 0, 0);
+    link(name, geometry, at, "0 0 0", mass,
+         {mass / 12 * (w * w + h * h), mass / 12 * (l * l + h * h), mass / 12 * (l * l + w * w)},
+         at);
   }
 
   // Along x (out) or along -z (down) from its joint.
@@ -158,10 +160,13 @@ std::string hexapodUrdf(const MadeRobot& robot) {
   for (int i = 0; i < robot.legs_per_side; ++i) {
     for (const int side : {1, -1}) {
       const double along = 0.2 * i / (robot.legs_per_side - 1) - 0.1;
-      const double across = 0.08 * side;
+      const double across = 0.5 * robot.hips_apart_m * side;
       const double azimuth = side * (kPi / 2.0 - 4.0 * along);
-      const std::string id = (side > 0 ? "l" : "r") + std::to_string(robot.legs_per_side - i);
-      addFlatLeg(writer, id, std::cos(turn) * along - std::sin(turn) * across,
+      const std::string id = (robot.has_sides ? side > 0 ? "l" : "r"
+                              : side > 0      ? "1"
+                                              : "2") +
+                             std::to_string(robot.legs_per_side - i);
+      addFlatLeg(writer, id, robot.beside_x_m + std::cos(turn) * along - std::sin(turn) * across,
                  std::sin(turn) * along + std::cos(turn) * across, azimuth + turn);
     }
   }
@@ -187,6 +192,39 @@ std::string quadrupedUrdf(const MadeRobot& robot) {
     writer.frame(name + "_foot", name + "_calf", 0.0, -0.15);
   }
   return writer.end();
+}
+
+std::string twoHingeUrdf(const MadeRobot& robot, int legs) {
+  constexpr double kThigh_m = 0.13, kUp_m = 0.09;
+  Writer writer(robot);
+  writer.body("base", 0.18, 0.18, 0.16);
+  for (int i = 0; i < legs; ++i) {
+    const double azimuth = 2.0 * kPi * (i + 0.5) / legs;
+    const std::string thigh = "thigh_" + std::to_string(i), shin = "shin_" + std::to_string(i);
+    writer.hinge("j_" + thigh, "base", thigh,
+                 vector(0.09 * std::cos(azimuth), 0.09 * std::sin(azimuth), 0), azimuth, "0 0 1");
+    writer.limb(thigh, kThigh_m, 0.03, false);
+    writer.hinge("j_" + shin, thigh, shin, vector(kThigh_m, 0, kUp_m), 0, "0 1 0");
+    writer.limb(shin, 0.26, 0.025, true);
+  }
+  return writer.end();
+}
+
+std::string chainUrdf(const std::string& name, int hinges, double x_m, double length_m) {
+  std::string urdf, parent = "base";
+  for (int i = 0; i < hinges; ++i) {
+    const std::string link = name + "_" + std::to_string(i);
+    urdf += "<joint name='" + link + "_joint' type='revolute'><parent link='" + parent +
+            "'/><child link='" + link + "'/><origin xyz='" +
+            (i == 0 ? vector(x_m, 0, 0.03) : vector(0, 0, length_m)) + "'/><axis xyz='" +
+            (i == 0 ? "0 0 1" : "0 1 0") +
+            "'/><limit lower='-1.6' upper='1.6' effort='3' velocity='3'/></joint><link name='" +
+            link +
+            "'><inertial><mass value='0.02'/><inertia ixx='1e-5' iyy='1e-5' izz='1e-5' "
+            "ixy='0' ixz='0' iyz='0'/></inertial></link>\n";
+    parent = link;
+  }
+  return urdf + "</robot>";
 }
 
 std::string roundUrdf(const MadeRobot& robot, int legs, double first_rad) {

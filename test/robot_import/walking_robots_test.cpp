@@ -84,5 +84,12 @@ TEST(ImportedRobots, RoundWithADiscWalks) {
   expectWalks(imported(roundUrdf(made, 6, 0.0)));
 }
 
+TEST(ImportedRobots, OnEightLegsOfTwoHingesWalks) {
+  MadeRobot made;
+  made.name = "eight";
+  made.effort_nm = 8.0;
+  expectWalks(imported(twoHingeUrdf(made, 8)));
+}
+
 }  // namespace
 }  // namespace hexapod
