@@ -4,8 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "planning/move.h"
-
 namespace hexapod {
 namespace {
 
@@ -20,9 +18,6 @@ constexpr double kPriorCount = 4.0;
 constexpr double kFading = 0.9;
 // A planner shall trust these spreads as they are.
 constexpr int kTrials = 50;
-// Slopes that move the robot less than its errors do are none [rad].
-constexpr double kFlat_rad = 0.004;
-constexpr std::size_t kDriftEntries = 24;
 
 SeenBehavior seenBy(const WalkedStep& step) {
   return {step.entry.genome, step.world_from_before, step.world_from_after, step.joints};
@@ -69,7 +64,7 @@ SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
                      const SelfModelOptions& options, const std::optional<Physics>& told)
     : imagination_(std::make_shared<Imagination>(
           robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
-      planner_(options.planner),
+      imagined_(imagination_, options.planner),
       belief_(told ? BodyBelief(imagination_, *told)
                    : BodyBelief(imagination_, learned.physics, options.belief)),
       first_belief_(belief_),
@@ -82,7 +77,7 @@ SelfModel::SelfModel(const SelfModel& other)
 
 SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
     : imagination_(other.imagination_),
-      planner_(other.planner_),
+      imagined_(other.imagined_),
       belief_(other.belief_),
       first_belief_(other.first_belief_),
       heading_rad_(other.heading_rad_),
@@ -184,40 +179,32 @@ std::shared_ptr<const Repertoire> SelfModel::expected(
     const std::shared_ptr<const Repertoire>& repertoire) {
   const std::lock_guard<std::mutex> lock(mutex_);
   if (expected_.of == repertoire && expected_.revision == revision_) return expected_.repertoire;
-  findDrift(*repertoire);
+  imagined_.take(repertoire);
   expected_ = {repertoire, imagine(*repertoire), revision_};
   return expected_.repertoire;
 }
 
 std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoire) {
-  std::vector<std::size_t> entries;
-  std::vector<Genome> genomes;
-  for (const Move& move : usableMoves(repertoire, planner_, {})) {
-    entries.push_back(move.entry);
-    genomes.push_back(repertoire.entries[move.entry].genome);
-  }
-  std::vector<Mixture> ends(genomes.size());
-  std::vector<bool> fails(genomes.size(), false);
-  const Pose2 heading{0.0, 0.0, heading_rad_};
+  const std::vector<std::size_t>& entries = imagined_.entries();
+  std::vector<Mixture> ends(entries.size());
+  std::vector<bool> fails(entries.size(), false);
   const Deviation residual = residual_.deviation();
-  const Pose2 drift = inverse(heading) * Pose2{drift_m_.x(), drift_m_.y(), heading_rad_};
   for (std::size_t b = 0; b < belief_.bodies().size(); ++b) {
     const double probability = belief_.probability(b);
     if (b > 0 && probability < kUnlikely) break;
     const BelievedBody& body = belief_.bodies()[b];
-    const std::vector<Outcome> outcomes =
-        imagination_->playAll(genomes, {belief_.physicsOf(body), &body.state});
-    for (std::size_t i = 0; i < genomes.size(); ++i) {
-      Pose2 end = residual.apply(outcomes[i].end_pose);
-      end.x_m -= drift.x_m;
-      end.y_m -= drift.y_m;
-      fails[i] = fails[i] || !outcomes[i].walked();
+    const ImaginedRepertoire::Played& played =
+        imagined_.in(belief_.physicsOf(body), body.state, heading_rad_);
+    if (b == 0) drift_m_ = played.drift_m;
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      const Pose2 end = residual.apply(played.outcomes[i].end_pose);
+      fails[i] = fails[i] || !played.outcomes[i].walked();
       ends[i].add(end, probability);
     }
   }
   auto expected = std::make_shared<Repertoire>(repertoire);
   for (Entry& entry : expected->entries) entry.execution = Execution{{}, 0.0, 0.0, kTrials, 1};
-  for (std::size_t i = 0; i < genomes.size(); ++i) {
+  for (std::size_t i = 0; i < entries.size(); ++i) {
     // Half of what the start states scattered it by remains when the start state is known.
     const Execution stored = repertoire.entries[entries[i]].execution.value_or(Execution{});
     Execution execution =
@@ -227,39 +214,6 @@ std::shared_ptr<const Repertoire> SelfModel::imagine(const Repertoire& repertoir
     expected->entries[entries[i]].execution = execution;
   }
   return expected;
-}
-
-// What a slope does to behaviours in the world, whatever their heading: the mean over some of the
-// repertoire and four headings.
-void SelfModel::findDrift(const Repertoire& repertoire) {
-  drift_m_.setZero();
-  const BelievedBody& body = belief_.bodies().front();
-  const Physics sloping = belief_.physicsOf(body);
-  const double slope_rad = std::hypot(sloping.slope_x_rad, sloping.slope_y_rad);
-  if (slope_rad < kFlat_rad || repertoire.entries.empty()) return;
-  std::vector<Genome> genomes;
-  const std::size_t every = std::max<std::size_t>(1, repertoire.entries.size() / kDriftEntries);
-  for (std::size_t i = 0; i < repertoire.entries.size(); i += every) {
-    genomes.push_back(repertoire.entries[i].genome);
-  }
-  Physics level = sloping;
-  level.slope_x_rad = level.slope_y_rad = 0.0;
-  Eigen::Vector2d sum_m = Eigen::Vector2d::Zero();
-  double count = 0.0;
-  for (int quarter = 0; quarter < 4; ++quarter) {
-    const double heading_rad = heading_rad_ + 0.5 * M_PI * quarter;
-    const WorldState start = imagination_->turned(body.state, heading_rad);
-    const std::vector<Outcome> there = imagination_->playAll(genomes, {level, &start});
-    const std::vector<Outcome> here = imagination_->playAll(genomes, {sloping, &start});
-    const Pose2 heading{0.0, 0.0, heading_rad};
-    for (std::size_t i = 0; i < genomes.size(); ++i) {
-      if (!here[i].walked() || !there[i].walked()) continue;
-      const Pose2 drifted = heading * here[i].end_pose, level_end = heading * there[i].end_pose;
-      sum_m += Eigen::Vector2d(drifted.x_m - level_end.x_m, drifted.y_m - level_end.y_m);
-      count += 1.0;
-    }
-  }
-  if (count > 0.0) drift_m_ = sum_m / count;
 }
 
 }  // namespace hexapod

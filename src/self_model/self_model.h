@@ -9,6 +9,7 @@
 #include "planning/foresight.h"
 #include "planning/planner_options.h"
 #include "self_model/body_belief.h"
+#include "self_model/imagined_repertoire.h"
 #include "self_model/learned_world.h"
 
 namespace hexapod {
@@ -25,12 +26,12 @@ struct SelfModelOptions {
 /// explains what was measured (BodyBelief), and expects of its repertoire what that body makes of
 /// it.
 ///
-/// The repertoire is played in the most likely bodies, each from the state in which the last
-/// behaviour is thought to have left it: exact for the next behaviour, as good as any start for
-/// those after it, which follow() imagines in their order. What fails in a body that is not
-/// unlikely is left out, and so is what the planner would not use. Spreads come from how far bodies
-/// disagree, and from how far the expected end poses were off so far. What no body explains, all
-/// behaviours alike, is learned as a Deviation of what the most likely body does.
+/// The repertoire is played in the most likely bodies when they are first believed in, each from
+/// the state in which the last behaviour is thought to have left it; where chains of it lead from
+/// the state of now, follow() imagines exactly. What fails in a body that is not unlikely is left
+/// out, and so is what the planner would not use. Spreads come from how far bodies disagree, and
+/// from how far the expected end poses were off so far. What no body explains, all behaviours
+/// alike, is learned as a Deviation of what the most likely body does.
 class SelfModel : public Foresight {
  public:
   /// With `told`, the robot has that body for sure; nothing is believed, the repertoire is played
@@ -67,13 +68,12 @@ class SelfModel : public Foresight {
   void learnErrors(const WalkedStep& step);
   void learnResidual(const SeenBehavior& seen);
   std::shared_ptr<const Repertoire> imagine(const Repertoire& repertoire);
-  void findDrift(const Repertoire& repertoire);
 
   SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>& lock_of_other);
 
   const std::shared_ptr<const Imagination> imagination_;
-  const PlannerOptions planner_;
   mutable std::mutex mutex_;
+  ImaginedRepertoire imagined_;
   BodyBelief belief_;
   const BodyBelief first_belief_;
   double heading_rad_ = 0.0;  // in which the robot stands

@@ -52,6 +52,9 @@ class WalkedBody {
 
   const RobotDescription& robot() const { return robot_; }
 
+  /// Where it stands.
+  Pose2 pose() { return measured(0.0); }
+
   /// How far each joint has moved so far.
   const std::vector<JointRange>& joints() const { return joints_; }
 
