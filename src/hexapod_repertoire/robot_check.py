@@ -31,6 +31,7 @@ def parser() -> argparse.ArgumentParser:
     check = verbs.add_parser("joint_check", help="move one joint at a time and hold what moved "
                              "against what should have; feet off the floor")
     check.add_argument("--yes", action="store_true", help="do not ask, the feet are off the floor")
+    check.add_argument("--wait", action="store_true", help="wait until the executor is ready")
     return top
 
 
@@ -94,8 +95,23 @@ def look(programs: pathlib.Path) -> int:
     return 1 if problem else 0
 
 
-def move(programs: pathlib.Path, is_confirmed: bool) -> int:
+def wait_until_ready() -> None:
+    """Tells on the way why the executor is not; Silence without one."""
+    told = set()
+
+    def is_ready(state: ExecutorState) -> bool:
+        if state.state != ExecutorState.READY and state.reason not in told:
+            told.add(state.reason)
+            print(f"The executor is {STATES[state.state]}: {state.reason}", flush=True)
+        return state.state == ExecutorState.READY
+
+    Latest("executor/state", ExecutorState).wait(is_ready, PATIENCE_S, NO_EXECUTOR)
+
+
+def move(programs: pathlib.Path, is_confirmed: bool, waits: bool) -> int:
     """Moves leg after leg; 0 when all moved as they should."""
+    if waits:
+        wait_until_ready()
     state = executor_state()
     if state.state != ExecutorState.READY:
         print(f"The executor is {STATES[state.state]} ({state.reason}): arm it with ./run arm, "
@@ -151,7 +167,7 @@ def main(argv: List[str]) -> int:
     try:
         if arguments.verb == "preflight":
             return look(arguments.programs)
-        return move(arguments.programs, arguments.yes)
+        return move(arguments.programs, arguments.yes, arguments.wait)
     except (Silence, RuntimeError, OSError, yaml.YAMLError) as problem:
         print(problem, file=sys.stderr)
         return 1

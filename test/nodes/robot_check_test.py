@@ -12,7 +12,7 @@ from hexapod_repertoire.msg import ExecutorState
 from hexapod_repertoire.srv import Disturb, GoToResponse
 from sensor_msgs.msg import JointState
 from std_srvs.srv import Trigger
-from walking_session import BINARIES, WalkingSession, wait_for
+from walking_session import BINARIES, ROOT, WalkingSession, wait_for
 
 WALL_TIMEOUT_S = 60.0
 NODES = ("repertoire_server", "simulated_robot", "executor")
@@ -94,6 +94,32 @@ def test_nothing_is_moved_by_an_executor_that_is_disarmed(session):
     assert "arm it with ./run arm" in text and "watch" not in text
     rospy.ServiceProxy("executor/arm", Trigger)()
     wait_ready()
+
+
+def launched(*arguments):
+    """Runs joint_check.launch with a simulated robot, four times as fast; (code, what it said)."""
+    result = subprocess.run(
+        [sys.executable, "-m", "hexapod_repertoire.launch", str(ROOT / "launch/joint_check.launch"),
+         "simulated:=true", "publish_clock:=true", "real_time_factor:=4", *arguments],
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, universal_newlines=True,
+        timeout=4 * WALL_TIMEOUT_S, env=os.environ, check=False)
+    return result.returncode, result.stdout
+
+
+def test_the_launch_file_moves_every_joint_once_the_feet_are_off_the_floor():
+    with WalkingSession(nodes=()):
+        code, text = launched("feet_off_floor:=true")
+    assert code == 0, text
+    assert text.count("alone: watch the foot go") == 18, text
+    assert "Every joint moved as far as it should, and no other." in text
+
+
+def test_the_launch_file_only_looks_otherwise():
+    with WalkingSession(nodes=()):
+        code, text = launched()
+    assert code == 0, text
+    assert "watch the foot go" not in text
+    assert "to be armed: ./run arm" in text
 
 
 def test_a_walk_arrives_without_measured_odometry():

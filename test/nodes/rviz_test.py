@@ -81,17 +81,22 @@ def open_screen(tmp_path):
     screen.close()
 
 
-class Rviz:
-    """rviz with a file of rviz/, as a context."""
+def with_file(name):
+    """The command that starts rviz with a shipped file."""
+    return ["rviz", "-d", str(ROOT / "rviz" / name)]
 
-    def __init__(self, screen, file, folder):
+
+class Rviz:
+    """rviz, started by a command, as a context."""
+
+    def __init__(self, screen, command, folder):
         self.log = pathlib.Path(folder) / "rviz.log"
         environment = {**os.environ, "DISPLAY": screen.name, "LIBGL_ALWAYS_SOFTWARE": "1",
                        "ROS_PACKAGE_PATH": f"{ROOT}:/usr/share",
                        "CMAKE_PREFIX_PATH": str(BINARIES.parents[1])}
         with open(self.log, "wb") as log:
-            self._process = subprocess.Popen(["rviz", "-d", str(file)], env=environment,
-                                             stdout=log, stderr=subprocess.STDOUT)
+            self._process = subprocess.Popen(command, env=environment, stdout=log,
+                                             stderr=subprocess.STDOUT)
 
     def __enter__(self):
         return self
@@ -128,7 +133,7 @@ def test_every_shipped_file_is_tried():
 def test_a_shipped_file_starts_without_a_complaint_and_shows_the_repertoire(
         session, screen, tmp_path, name):
     assert session
-    with Rviz(screen, ROOT / "rviz" / f"{name}.rviz", tmp_path) as rviz:
+    with Rviz(screen, with_file(f"{name}.rviz"), tmp_path) as rviz:
         wait_for(lambda: TOPICS[name] <= topics_of_rviz(), PATIENCE_S, f"topics of {name}")
         wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
         # The panel is one of those who listen, where it is built.
@@ -142,7 +147,7 @@ def test_a_nav_goal_drawn_with_the_mouse_ends_in_a_walk(session, screen, tmp_pat
     goals, walks = [], []
     _goals = rospy.Subscriber("move_base_simple/goal", PoseStamped, goals.append)
     _walks = rospy.Subscriber("planner/walk_summary", WalkSummary, walks.append)
-    with Rviz(screen, ROOT / "rviz/walk.rviz", tmp_path):
+    with Rviz(screen, with_file("walk.rviz"), tmp_path):
         wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
         screen.do("mousemove", 560, 42, "click", 1)  # the tool 2D Nav Goal
         screen.do("mousemove", 900, 400, "mousedown", 1, "mousemove", 905, 380,
@@ -151,3 +156,15 @@ def test_a_nav_goal_drawn_with_the_mouse_ends_in_a_walk(session, screen, tmp_pat
         wait_for(lambda: walks, PATIENCE_S, "the end of the walk")
     assert walks[0].code == GoToResponse.SUCCEEDED, walks[0].message
     assert walks[0].steps > 0
+
+
+def test_frames_are_parameters_of_rviz(session, screen, tmp_path, monkeypatch):
+    assert session
+    monkeypatch.setenv("ROS_HOME", str(tmp_path))
+    rospy.set_param("/rviz_1", {"config": str(ROOT / "rviz/walk.rviz"), "fixed_frame": "odom",
+                                "robot_frame": "base_link", "tf_prefix": ""})
+    command = [str(BINARIES / "rviz_in_frames.py"), "__name:=rviz_1"]
+    with Rviz(screen, command, tmp_path) as rviz:
+        wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
+        assert rviz.complaints() == []
+    assert "Target Frame: base_link" in (tmp_path / "hexapod_rviz_1.rviz").read_text()
