@@ -25,6 +25,7 @@ struct CalibrateOptions {
   std::string output = "calibrated";
   std::string simulated;
   std::int64_t draws = 0;
+  std::int64_t learn = 0;
   std::string plan;
   std::string trials;
   std::int64_t behaviors = 20;
@@ -51,6 +52,10 @@ std::vector<Option> declareOptions(CalibrateOptions& options) {
              "Calibrate so many simulated robots, drawn at random within 30 %, and print a table; "
              "nothing is written.",
              0, 100000),
+      option("learn", options.learn,
+             "With draws: also learn so many candidates with what was found of each, and play the "
+             "entries one after another in its world; 0: none.",
+             0, 100000000),
       option("plan", options.plan,
              "Write the behaviours to play to this file, and end: a robot's own programs play "
              "them."),
@@ -164,7 +169,10 @@ void calibrateWith(const CalibrateOptions& options) {
   setting.plan = planOf(options, setting, repertoire);
   if (!options.plan.empty()) return writePlan(setting.plan, options.plan);
   const auto seed = static_cast<std::uint64_t>(options.seed);
-  if (options.draws > 0) return calibrateDraws(setting, options.draws, seed, std::cout);
+  if (options.draws > 0) {
+    const DrawOptions draws{options.draws, options.learn, options.threads, seed};
+    return calibrateDraws(setting, repertoire, draws, std::cout);
+  }
   const Physics body = bodyFromText(robot, options.simulated, setting.learned.physics);
   const Calibration found = calibrateSimulated(setting, body, seed);
   writeTrials(found.trials, options.output + ".csv");

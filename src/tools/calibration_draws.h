@@ -7,6 +7,7 @@
 
 #include "calibration/calibration_report.h"
 #include "calibration/play_simulated.h"
+#include "repertoire/repertoire.h"
 #include "self_model/learned_world.h"
 #include "simulation/world.h"
 
@@ -26,9 +27,20 @@ struct CalibrationSetting {
 Calibration calibrateSimulated(const CalibrationSetting& setting, const Physics& body,
                                std::uint64_t seed);
 
+/// How many robots are drawn, and how many candidates are learned for what was found of each; 0:
+/// none.
+struct DrawOptions {
+  std::int64_t draws = 10;
+  std::int64_t evaluations = 0;
+  std::int64_t threads = 0;
+  std::uint64_t seed = 1;
+};
+
 /// Calibrates robots whose friction, servo gain, torque and mass are drawn uniformly within 30 %,
-/// and prints a line of Markdown about each, and the medians.
-void calibrateDraws(const CalibrationSetting& setting, std::int64_t draws, std::uint64_t seed,
-                    std::ostream& stream);
+/// and prints a line of Markdown about each, and the medians. Where repertoires are learned, each
+/// is chained in the drawn world, beside the one of `setting`, chained there and where it was
+/// learned.
+void calibrateDraws(const CalibrationSetting& setting, const Repertoire& repertoire,
+                    const DrawOptions& options, std::ostream& stream);
 
 }  // namespace hexapod
