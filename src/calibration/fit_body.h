@@ -8,8 +8,8 @@ namespace hexapod {
 struct FitOptions {
   double noise_m = 0.004;    ///< of an end position about the right body's, per axis, > 0
   double noise_rad = 0.012;  ///< and of its heading, > 0
-  std::int64_t pairs = 20;   ///< of bodies imagined per round, either side of the mean, >= 6
-  std::int64_t rounds = 10;  ///< >= 1
+  std::int64_t pairs = 30;   ///< of bodies imagined per round, either side of the mean, >= 6
+  std::int64_t rounds = 25;  ///< >= 1
   std::uint64_t seed = 1;    ///< of their draws
 };
 

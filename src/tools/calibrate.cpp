@@ -75,6 +75,8 @@ std::vector<Option> declareOptions(CalibrateOptions& options) {
       option("model_noise_m", options.fit.noise_m, "m",
              "What simulation with the right body misses of an end position, per axis.", 1e-5, 1.0),
       option("model_noise_rad", options.fit.noise_rad, "rad", "And of a heading.", 1e-5, 1.0),
+      option("rounds", options.fit.rounds,
+             "How often it is looked nearer: bodies imagined, sixty each time.", 1, 10000),
       option("engine", options.engine, "Engine of simulated robots.", engineNames()),
       option("urdf", options.urdf, "Robot description."),
       option("robot_config", options.robot_config, "What the robot needs beside its URDF."),

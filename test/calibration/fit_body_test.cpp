@@ -18,7 +18,15 @@ Physics tired() {
   return body;
 }
 
-FittedBody fitTo(const std::vector<Trial>& trials, const FitOptions& options = {},
+// What is easy is found soon.
+FitOptions brief() {
+  FitOptions options;
+  options.pairs = 20;
+  options.rounds = 10;
+  return options;
+}
+
+FittedBody fitTo(const std::vector<Trial>& trials, const FitOptions& options = brief(),
                  int threads = 1) {
   return fitBody(TrialChain(imaginationOf(threads), Physics(), seenOf(trials)), options);
 }

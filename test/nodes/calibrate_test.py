@@ -36,7 +36,8 @@ def calibrate(*words):
 def test_finds_the_servos_of_the_robot_that_walks(session, tmp_path):
     output = pathlib.Path(tmp_path) / "mine"
     file = session.folder / "small.db"
-    result = calibrate("--file", file, "--output", output, "--behaviors", 4, "--checks", 1)
+    result = calibrate("--file", file, "--output", output, "--behaviors", 4, "--checks", 1,
+                       "--rounds", 10)
     assert result.returncode == 0, result.stdout
     found = yaml.safe_load(output.with_suffix(".yaml").read_text(encoding="utf-8"))["calibration"]
     assert found["servo_gain_scale"] == pytest.approx(GAIN_SCALE, abs=0.06), result.stdout

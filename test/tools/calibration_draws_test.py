@@ -21,7 +21,8 @@ def fixture_repertoire(tmp_path_factory):
 
 def draw(repertoire, *words):
     """The rows of the table and the sentences below it."""
-    command = [CALIBRATE, "--file", repertoire, "--draws", 1, "--behaviors", 5, "--checks", 4]
+    command = [CALIBRATE, "--file", repertoire, "--draws", 1, "--behaviors", 5, "--checks", 4,
+               "--rounds", 6]
     done = subprocess.run(list(map(str, [*command, *words])), stdout=subprocess.PIPE, check=True,
                           universal_newlines=True)
     table, sentences = done.stdout.split("\n\n")
