@@ -82,6 +82,7 @@ GoalExaminer::Examination GoalExaminer::examineTwist(const Stop& stop) const {
   Examination examination;
   auto refused = askPlayer(stop);
   if (!refused) refused = askRepertoire(stop);
+  if (!refused) refused = askMap(stop);
   examination.report = refused ? *refused : refusal(GoalCode::SUCCEEDED, "Walking by velocity.");
   return examination;
 }
@@ -150,12 +151,22 @@ GoalExaminer::Refusal GoalExaminer::askRepertoire(const Stop& stop) const {
                  "repertoire_server.");
 }
 
+GoalExaminer::Refusal GoalExaminer::askMap(const Stop& stop) const {
+  if (!means_.obstacle_problem) return std::nullopt;
+  awaitAtStart([this] { return means_.obstacle_problem().empty(); }, stop);
+  const std::string why = means_.obstacle_problem();
+  if (why.empty()) return std::nullopt;
+  return refusal(GoalCode::UNKNOWN_FRAME, why);
+}
+
 void GoalExaminer::awaitAtStart(const std::function<bool()>& there, const Stop& stop) const {
   means_.clock.waitUntil(start_ns_ + kStarting_ns, [&] { return there() || stop(); });
 }
 
 void GoalExaminer::plan(const Stop& stop, Examination& examination) const {
-  if (const auto refused = askRepertoire(stop)) {
+  auto refused = askRepertoire(stop);
+  if (!refused) refused = askMap(stop);
+  if (refused) {
     examination.report = *refused;
     return;
   }

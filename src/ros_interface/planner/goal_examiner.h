@@ -25,7 +25,8 @@ class GoalExaminer {
     const PoseSource& poses;
     const RepertoireInUse& repertoire;
     const BehaviorPlayer& player;
-    ObstacleSource obstacles = {};  ///< may be empty
+    ObstacleSource obstacles = {};          ///< may be empty
+    ObstacleProblem obstacle_problem = {};  ///< may be empty
   };
   using Stop = std::function<bool()>;
 
@@ -51,6 +52,7 @@ class GoalExaminer {
   Refusal readPose(const PoseRequest& request, const Stop& stop, Waypoint& waypoint) const;
   Examination examineTwist(const Stop& stop) const;
   Refusal askPlayer(const Stop& stop) const;
+  Refusal askMap(const Stop& stop) const;
   Refusal askRepertoire(const Stop& stop) const;
   bool cannotBePlayed() const;
   void plan(const Stop& stop, Examination& examination) const;

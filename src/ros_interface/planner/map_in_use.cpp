@@ -86,18 +86,16 @@ void MapInUse::work() {
     }
     auto obstacles = std::make_shared<const Obstacles>(map.cells, *footprint_, options_.obstacles);
     const std::lock_guard<std::mutex> lock(mutex_);
-    frame_ = map.frame;
-    frame_from_map_ = map.cells.world_from_map;
-    obstacles_ = std::move(obstacles);
+    waiting_ = {map.frame, map.cells.world_from_map, std::move(obstacles)};
+    place();
   }
 }
 
-/// The last known transform stays in use while tf has none.
-std::optional<Pose2> MapInUse::globalFromFrame() const {
-  if (frame_.empty() || frame_ == options_.pose.global_frame) return Pose2{};
+std::optional<Pose2> MapInUse::globalFrom(const std::string& frame) const {
+  if (frame.empty() || frame == options_.pose.global_frame) return Pose2{};
   try {
     const geometry_msgs::Transform transform =
-        buffer_.lookupTransform(options_.pose.global_frame, frame_, ros::Time(0)).transform;
+        buffer_.lookupTransform(options_.pose.global_frame, frame, ros::Time(0)).transform;
     geometry_msgs::Pose pose;
     pose.position.x = transform.translation.x;
     pose.position.y = transform.translation.y;
@@ -109,16 +107,35 @@ std::optional<Pose2> MapInUse::globalFromFrame() const {
   }
 }
 
+/// Brings maps to where tf says. The last known transform stays in use while tf has none. With
+/// mutex_.
+void MapInUse::place() const {
+  if (waiting_.obstacles && globalFrom(waiting_.frame)) {
+    in_use_ = std::move(waiting_);
+    waiting_ = {};
+  }
+  if (!in_use_.obstacles) return;
+  const std::optional<Pose2> global_from_frame = globalFrom(in_use_.frame);
+  if (!global_from_frame) return;
+  const Pose2 global_from_map = *global_from_frame * in_use_.frame_from_map;
+  if (isSame(global_from_map, in_use_.obstacles->worldFromMap())) return;
+  in_use_.obstacles =
+      std::make_shared<const Obstacles>(in_use_.obstacles->movedTo(global_from_map));
+}
+
 std::shared_ptr<const Obstacles> MapInUse::obstacles() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (!obstacles_) return nullptr;
-  const std::optional<Pose2> global_from_frame = globalFromFrame();
-  if (!global_from_frame) return obstacles_;
-  const Pose2 global_from_map = *global_from_frame * frame_from_map_;
-  if (!isSame(global_from_map, obstacles_->worldFromMap())) {
-    obstacles_ = std::make_shared<const Obstacles>(obstacles_->movedTo(global_from_map));
-  }
-  return obstacles_;
+  place();
+  return in_use_.obstacles;
+}
+
+std::string MapInUse::problem() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  place();
+  if (!waiting_.obstacles) return "";
+  return "tf does not say where the frame of the map, " + waiting_.frame + ", lies in " +
+         options_.pose.global_frame + "; publish that transform, or the map in a frame of the tf " +
+         "tree.";
 }
 
 }  // namespace hexapod

@@ -16,7 +16,7 @@
 namespace hexapod {
 
 /// The newest map and what it means for the robot, brought into the global frame as tf says at the
-/// time of asking.
+/// time of asking. One whose frame tf has never told of waits, and the one before stays in use.
 ///
 /// Maps and updates are taken at once; what they mean is worked out by a thread of its own, of the
 /// newest state whenever the last one is done: however fast they come, nothing piles up. From any
@@ -43,9 +43,19 @@ class MapInUse {
   /// Null as long as there is no map. The same object as long as nothing has changed.
   std::shared_ptr<const Obstacles> obstacles() const;
 
+  /// Why a map waits, as a sentence; empty when none does.
+  std::string problem() const;
+
  private:
+  struct Located {
+    std::string frame;
+    Pose2 frame_from_map;
+    std::shared_ptr<const Obstacles> obstacles;
+  };
+
   void work();
-  std::optional<Pose2> globalFromFrame() const;
+  void place() const;
+  std::optional<Pose2> globalFrom(const std::string& frame) const;
 
   const PlannerNodeOptions& options_;
   const tf2::BufferCore& buffer_;
@@ -59,9 +69,8 @@ class MapInUse {
   bool leaves_ = false;
 
   mutable std::mutex mutex_;
-  std::string frame_;  // guarded by mutex_, as the next two
-  Pose2 frame_from_map_;
-  mutable std::shared_ptr<const Obstacles> obstacles_;
+  mutable Located in_use_;   // guarded by mutex_, as the next one
+  mutable Located waiting_;  // for a transform
   std::thread thread_;
 };
 

@@ -18,7 +18,7 @@ constexpr char kUpdateTopic[] = "map_updates";
 constexpr std::uint32_t kUpdateQueue = 50;
 constexpr double kPoll_s = 0.02;
 constexpr std::int64_t kBeliefPeriod_ns = kSecond_ns;
-constexpr std::int64_t kClockWarnPeriod_ns = 2 * kSecond_ns;
+constexpr std::int64_t kWarnPeriod_ns = 2 * kSecond_ns;
 // Answers on their way to clients.
 constexpr std::int64_t kFarewell_ns = kSecond_ns / 5;
 // How much tf to keep: clients stamp their goals with the time they saw them.
@@ -61,7 +61,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       display_(node, private_node, clock_,
                {options.pose.global_frame, [this] { return self_image_.told().sentence; }}),
       walker_({options_, clock_, poses_, repertoire_, executor_.client(), display_,
-               [this] { return map_.obstacles(); }}),
+               [this] { return map_.obstacles(); }, [this] { return map_.problem(); }}),
       actions_(node, goal_queue_, walker_),
       services_(node, private_node, goal_queue_, walker_),
       cmd_vel_(options.cmd_vel ? std::make_unique<TwistDoor>(node, goal_queue_, clock_, walker_,
@@ -72,7 +72,7 @@ PlannerNode::PlannerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       reset_belief_service_(
           private_node.advertiseService("reset_belief", &PlannerNode::onResetBelief, this)),
       map_spinner_(1, &map_queue_),
-      next_clock_warning_ns_(clock_.steadyNow_ns() + kClockWarnPeriod_ns) {
+      next_warning_ns_(clock_.steadyNow_ns() + kWarnPeriod_ns) {
   updater_.setHardwareID("hexapod");
   updater_.add("planner", this, &PlannerNode::report);
   goal_spinner_.start();
@@ -105,7 +105,7 @@ PlannerNode::End PlannerNode::run(const std::atomic<bool>& leave) {
     poses_.latest();  // keeps an eye on it
     walker_.look();
     updater_.update();
-    watchClock();
+    warn();
     lookAtBelief();
     if (!master_.masterIsLost()) continue;
     end = End::kMasterLost;
@@ -159,13 +159,17 @@ void PlannerNode::publishBelief(const hexapod_repertoire::BodyBelief& belief) {
   believed_body_ = belief.bodies.front();
 }
 
-void PlannerNode::watchClock() {
-  if (!ros::Time::isSimTime() || !clock_.rosNow().isZero()) return;
-  if (clock_.steadyNow_ns() < next_clock_warning_ns_) return;
-  next_clock_warning_ns_ = clock_.steadyNow_ns() + kClockWarnPeriod_ns;
-  ROS_WARN(
-      "/use_sim_time is true but no time comes on /clock; start what publishes /clock, or set "
-      "/use_sim_time to false.");
+void PlannerNode::warn() {
+  if (clock_.steadyNow_ns() < next_warning_ns_) return;
+  next_warning_ns_ = clock_.steadyNow_ns() + kWarnPeriod_ns;
+  if (ros::Time::isSimTime() && clock_.rosNow().isZero()) {
+    ROS_WARN(
+        "/use_sim_time is true but no time comes on /clock; start what publishes /clock, or set "
+        "/use_sim_time to false.");
+  }
+  const std::string map = map_.problem();
+  if (!map.empty() && map == waiting_map_) ROS_WARN_STREAM(map);
+  waiting_map_ = map;
 }
 
 void PlannerNode::report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics) {
@@ -174,6 +178,8 @@ void PlannerNode::report(diagnostic_updater::DiagnosticStatusWrapper& diagnostic
   const auto planner = repertoire_.planner();
   const std::string executor = executor_.client().whyNotReady();
   const std::string pose = poses_.latest().problem;
+  const std::string map = map_.problem();
+  if (!map.empty()) diagnostics.mergeSummary(Status::WARN, map);
   if (!planner) diagnostics.mergeSummary(Status::WARN, "No repertoire has arrived.");
   if (!executor.empty()) diagnostics.mergeSummary(Status::WARN, executor);
   if (!pose.empty()) diagnostics.mergeSummary(Status::WARN, pose);

@@ -56,7 +56,8 @@ class PlannerNode {
   void receiveUpdate(const map_msgs::OccupancyGridUpdate::ConstPtr& update);
   void tellOfMap(const std::string& problem);
   void answerAll(End end);
-  void watchClock();
+  /// Of what is wrong from outside and may come right, again and again.
+  void warn();
   void lookAtBelief();
   void publishBelief(const hexapod_repertoire::BodyBelief& belief);
   void report(diagnostic_updater::DiagnosticStatusWrapper& diagnostics);
@@ -92,7 +93,8 @@ class PlannerNode {
   ros::Subscriber update_subscriber_;
   ros::AsyncSpinner map_spinner_;
   std::string map_problem_;  // told last; thread of map_spinner_
-  std::int64_t next_clock_warning_ns_;
+  std::int64_t next_warning_ns_;
+  std::string waiting_map_;  // why it waited when it was last looked at
   std::int64_t next_belief_ns_ = 0;
   diagnostic_updater::Updater updater_;
 };

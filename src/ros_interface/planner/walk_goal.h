@@ -95,6 +95,9 @@ struct WalkReport {
 /// same object as long as nothing has changed.
 using ObstacleSource = std::function<std::shared_ptr<const Obstacles>()>;
 
+/// Why it is not known where the robot may be, asked of each goal: a sentence, or empty.
+using ObstacleProblem = std::function<std::string()>;
+
 /// How far a walk is, told before each behaviour.
 struct WalkProgress {
   geometry_msgs::PoseStamped pose;

@@ -32,7 +32,7 @@ void log(const std::string& id, const WalkReport& report) {
 Walker::Walker(const Means& means)
     : means_(means),
       examiner_({means.options, means.clock, means.poses, means.repertoire, means.player,
-                 means.obstacles}) {
+                 means.obstacles, means.obstacle_problem}) {
   for (int i = 0; i < kExaminers; ++i) threads_.emplace_back(&Walker::examineGoals, this);
   threads_.emplace_back(&Walker::walkToGoals, this);
 }

@@ -23,7 +23,8 @@ class Walker {
     const RepertoireInUse& repertoire;
     BehaviorPlayer& player;
     WalkWatcher& watcher;
-    ObstacleSource obstacles = {};  ///< may be empty
+    ObstacleSource obstacles = {};          ///< may be empty
+    ObstacleProblem obstacle_problem = {};  ///< may be empty
   };
 
   explicit Walker(const Means& means);

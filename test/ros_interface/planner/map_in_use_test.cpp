@@ -81,6 +81,19 @@ TEST_F(MapInUseTest, FollowsItsFrameInTheGlobalOne) {
   EXPECT_TRUE(map_.obstacles()->isFree({10.0, 0.0, 0.0}));
 }
 
+TEST_F(MapInUseTest, WaitsUntilTfTellsWhereItsFrameIs) {
+  EXPECT_EQ(map_.take(halfOccupied({}, "odom")), "");
+  const auto before = settled();
+  EXPECT_EQ(map_.problem(), "");
+  EXPECT_EQ(map_.take(halfOccupied({}, "map")), "");
+  EXPECT_EQ(settled(), before);
+  EXPECT_NE(map_.problem().find("frame of the map, map, lies in odom"), std::string::npos);
+  place(10.0, 1.0);
+  EXPECT_EQ(map_.problem(), "");
+  EXPECT_FALSE(map_.obstacles()->isFree({10.0, 0.0, 0.0}));
+  EXPECT_TRUE(map_.obstacles()->isFree({0.5, 0.0, 0.0}));
+}
+
 TEST_F(MapInUseTest, RefusesWhatIsNoMapAndKeepsTheOneItHas) {
   EXPECT_EQ(map_.take(halfOccupied({}, "odom")), "");
   const auto kept = settled();

@@ -98,6 +98,17 @@ TEST_F(ObstructedWalk, RefusesGoalsWithTheirReason) {
   EXPECT_EQ(player_.begun, 0);
 }
 
+TEST_F(ObstructedWalk, RefusesGoalsWhileItIsNotKnownWhereTheMapLies) {
+  Walker walking({options_, clock_, poses_, repertoire_, player_, watcher_, [] { return Shared(); },
+                  [] { return std::string("The map lies nowhere."); }});
+  Client client;
+  walking.submit(goalAt(1.0, 0.3, 0.0), client.listener());
+  while (client.ends() == 0) clock_.pass(kSecond_ns / 10);
+  EXPECT_EQ(client.waitForEnd().code, GoalCode::UNKNOWN_FRAME);
+  EXPECT_EQ(client.waitForEnd().message, "The map lies nowhere.");
+  EXPECT_EQ(player_.begun, 0);
+}
+
 TEST_F(ObstructedWalk, WalksToTheNearestFreePoseByOptionAndDoesNotCallThatSuccess) {
   options_.goal_policy = "nearest";
   show(wallsAround(2.0, false));
