@@ -46,13 +46,13 @@ class GaitChooser {
 
   void choose() {
     if (task_.clearance_m < kLeastClearance * legReach_m(robot_)) return complainOfShortLegs();
-    // 1. Over the grid: legs of as many joints share them alike; all stand at one height.
+    // 1. Over the grid: legs of a kind share their joints alike; all stand at one height.
     const PoseGrid grid(models_, task_);
     const std::optional<std::size_t> height = grid.bestHeight();
     if (!height) return complainOfHeights();
     std::vector<JudgedPose> chosen;
     for (std::size_t leg = 0; leg < models_.size(); ++leg) {
-      shares_.push_back(grid.bestShares(models_[leg].jointCount(), *height).first);
+      shares_.push_back(grid.bestShares(leg, *height));
       chosen.push_back(grid.best(leg, shares_.back(), *height));
     }
     // 2. From the grid to the best poses around, then to the very same height.

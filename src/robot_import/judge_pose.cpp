@@ -72,6 +72,11 @@ double liftQuality(const SignalMotion& motion) {
 
 }  // namespace
 
+bool isOnAxis(const LegModel& leg, const StandingTask& task) {
+  const Eigen::Vector2d hip_m = leg.hip_m().head<2>() - task.middle_m;
+  return std::abs(hip_m.y()) < 0.05 * hip_m.norm();
+}
+
 JudgedPose judgePose(const LegModel& leg, const StandingTask& task, const SignalShares& shares,
                      const std::vector<double>& angles_rad) {
   const LegPose pose = leg.at(angles_rad);
@@ -121,7 +126,7 @@ JudgedPose judgePose(const LegModel& leg, const StandingTask& task, const Signal
   score += 0.5 * std::clamp(outside, -0.5, 0.45);
   const Eigen::Vector2d out_m = foot_m - hip_m;
   // A leg in the middle, ahead or behind, stays there.
-  const bool is_on_axis = std::abs(hip_m.y()) < 0.05 * hip_m.norm();
+  const bool is_on_axis = isOnAxis(leg, task);
   if (is_on_axis) score -= 3.0 * std::abs(out_m.y()) / reach_m;
   // Others do not reach under the body, where they meet.
   const double inwards_m = std::abs(hip_m.y()) - std::copysign(1.0, hip_m.y()) * foot_m.y();

@@ -27,6 +27,9 @@ struct JudgedPose {
   double torque_share = 0.0;  ///< of the most loaded joint's torque that standing takes
 };
 
+/// Whether a leg stands ahead of the robot's middle or behind it, on neither side.
+bool isOnAxis(const LegModel& leg, const StandingTask& task);
+
 /// See chooseGait() for what makes a pose good.
 JudgedPose judgePose(const LegModel& leg, const StandingTask& task, const SignalShares& shares,
                      const std::vector<double>& angles_rad);

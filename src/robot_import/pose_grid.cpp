@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 namespace hexapod {
 namespace {
@@ -68,6 +69,7 @@ double lowestFoot_m(const LegModel& leg) {
 
 PoseGrid::PoseGrid(const std::vector<LegModel>& legs, const StandingTask& task) : legs_(legs) {
   for (const LegModel& leg : legs) {
+    groups_.emplace_back(leg.jointCount(), isOnAxis(leg, task));
     top_m_ = std::max(top_m_, leg.hip_m().z());
     bottom_m_ = std::min(bottom_m_, leg.hip_m().z() - leg.reach_m());
   }
@@ -92,12 +94,16 @@ std::size_t PoseGrid::heightOf(double floor_m) const {
   return static_cast<std::size_t>(std::clamp(share * kHeights, 0.0, kHeights - 1.0));
 }
 
-std::pair<SignalShares, double> PoseGrid::bestShares(std::size_t joints, std::size_t height) const {
+SignalShares PoseGrid::bestShares(std::size_t leg, std::size_t height) const {
+  return bestOf(groups_[leg], height).first;
+}
+
+std::pair<SignalShares, double> PoseGrid::bestOf(const Group& group, std::size_t height) const {
   std::pair<SignalShares, double> best{{}, -1e12};
-  for (const SignalShares& shares : waysToShare(joints)) {
+  for (const SignalShares& shares : waysToShare(group.first)) {
     double sum = 0.0;
     for (std::size_t leg = 0; leg < legs_.size(); ++leg) {
-      if (legs_[leg].jointCount() != joints) continue;
+      if (groups_[leg] != group) continue;
       const auto& pose = found_[leg].at(shares)[height];
       sum += pose ? pose->score : -kNoPose;
     }
@@ -107,13 +113,12 @@ std::pair<SignalShares, double> PoseGrid::bestShares(std::size_t joints, std::si
 }
 
 std::optional<std::size_t> PoseGrid::bestHeight() const {
-  std::map<std::size_t, int> counts;
-  for (const LegModel& leg : legs_) ++counts[leg.jointCount()];
+  const std::set<Group> groups(groups_.begin(), groups_.end());
   std::optional<std::size_t> best;
   double best_sum = -0.5 * kNoPose;
   for (std::size_t height = 0; height < kHeights; ++height) {
     double sum = 0.0;
-    for (const auto& [joints, count] : counts) sum += bestShares(joints, height).second;
+    for (const Group& group : groups) sum += bestOf(group, height).second;
     if (sum > best_sum) best = height, best_sum = sum;
   }
   return best;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <utility>
@@ -27,19 +28,25 @@ class PoseGrid {
   /// The height at which the legs together stand best; nothing when there is none for all of them.
   std::optional<std::size_t> bestHeight() const;
 
-  /// Sharing that suits all legs of as many joints at a height, with the sum of their scores.
-  std::pair<SignalShares, double> bestShares(std::size_t joints, std::size_t height) const;
+  /// Sharing that suits a leg at a height, and all others of as many joints; those ahead of the
+  /// robot and behind it share by themselves, as they step otherwise.
+  SignalShares bestShares(std::size_t leg, std::size_t height) const;
 
   /// There must be one.
   const JudgedPose& best(std::size_t leg, const SignalShares& shares, std::size_t height) const;
 
  private:
   using ByHeight = std::vector<std::optional<JudgedPose>>;
+  /// Legs that share alike: their number of joints, and whether they are on the axis.
+  using Group = std::pair<std::size_t, bool>;
 
   std::size_t heightOf(double floor_m) const;
+  /// With the sum of their scores.
+  std::pair<SignalShares, double> bestOf(const Group& group, std::size_t height) const;
 
   const std::vector<LegModel>& legs_;
   double top_m_ = 0.0, bottom_m_ = 0.0;  // between which heights are compared
+  std::vector<Group> groups_;            // per leg
   std::vector<std::map<SignalShares, ByHeight>> found_;
 };
 

@@ -99,6 +99,26 @@ TEST(RoughFiles, LegsOfTwoHingesStepAndLift) {
   }
 }
 
+TEST(RoughFiles, LegsAheadAndBehindStepAlongToo) {
+  for (const int legs : {5, 6}) {
+    const ImportResult result = import(roundUrdf({}, legs, 0.0));
+    expectReady(result);
+    for (const Leg& leg : result.robot.legs) {
+      std::vector<double> back, ahead;
+      for (const Segment& segment : leg.segments) {
+        const Joint& joint = segment.joint;
+        const double way_rad = joint.signal == Signal::kFirst ? joint.amplitude_rad : 0.0;
+        back.push_back(joint.neutral_rad - way_rad);
+        ahead.push_back(joint.neutral_rad + way_rad);
+      }
+      const LegModel model(leg);
+      const Eigen::Vector3d step_m = model.at(ahead).foot_m - model.at(back).foot_m;
+      EXPECT_GT(step_m.x(), 0.2 * model.reach_m()) << leg.name;
+      EXPECT_LT(std::abs(step_m.y()), 0.3 * step_m.x()) << leg.name;
+    }
+  }
+}
+
 TEST(RoughFiles, LegsDoNotReachUnderTheBody) {
   MadeRobot made;
   made.effort_nm = 8.0;
