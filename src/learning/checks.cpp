@@ -16,6 +16,11 @@ namespace {
 // Other generators get the seed as it is.
 constexpr std::uint64_t kSampling = 0x73616d706c65;
 
+// One behaviour in ODE takes about as long as so many in batches of the fast engine.
+constexpr double kCostInOde = 100.0;
+// One of the other worlds has a step a third as long.
+constexpr double kCostOfSmallSteps = 2.0;
+
 struct Differences {
   double m = 0.0;
   double rad = 0.0;
@@ -29,6 +34,16 @@ std::vector<Genome> genomesOf(const std::vector<Entry>& entries) {
 
 bool isVerified(const LearningRun& run) {
   return run.options().verify_with_ode && run.engine().engine != Engine::kOde;
+}
+
+std::size_t sampleSize(const LearningRun& run) {
+  const auto wanted = static_cast<std::size_t>(run.options().verification_sample);
+  const std::size_t all = run.learned().size();
+  return wanted == 0 ? all : std::min(wanted, all);
+}
+
+double costOfVerification(const LearningRun& run) {
+  return kCostInOde * static_cast<double>(sampleSize(run));
 }
 
 /// The entries with those that the sample is drawn of first, all where the sample is to be all.
@@ -56,8 +71,7 @@ bool replay(const LearningRun& run, const std::vector<Entry>& entries, const Pla
 
 Findings verifyEntries(const LearningRun& run, const PlayHooks& hooks) {
   const std::size_t all = run.learned().size();
-  const auto wanted = static_cast<std::size_t>(run.options().verification_sample);
-  const std::size_t sample = wanted == 0 ? all : std::min(wanted, all);
+  const std::size_t sample = sampleSize(run);
   const std::vector<Entry> entries = sampledFirst(run, sample);
   const auto rest = entries.begin() + static_cast<std::ptrdiff_t>(sample);
   Findings findings;
@@ -76,6 +90,13 @@ Findings verifyEntries(const LearningRun& run, const PlayHooks& hooks) {
 
 bool isValidated(const LearningRun& run) { return run.options().validation_trials > 0; }
 
+std::size_t heldEntries(const LearningRun& run) { return run.learned().size() - run.dropped(); }
+
+double costOfValidation(const LearningRun& run) {
+  return static_cast<double>(heldEntries(run)) *
+         static_cast<double>(run.options().validation_trials);
+}
+
 Findings validateEntries(const LearningRun& run, const PlayHooks& hooks) {
   const std::vector<Entry> entries = run.entries();
   ValidationOptions options;
@@ -93,6 +114,11 @@ Findings validateEntries(const LearningRun& run, const PlayHooks& hooks) {
 
 bool isTriedElsewhere(const LearningRun& run) { return run.options().resimulate; }
 
+double costOfOtherWorlds(const LearningRun& run) {
+  const std::size_t trials = heldOutTrials(run.robot(), run.worlds()->physics()).size();
+  return static_cast<double>(heldEntries(run)) * (static_cast<double>(trials) + kCostOfSmallSteps);
+}
+
 }  // namespace
 
 Findings tryOtherWorlds(const LearningRun& run, const PlayHooks& hooks) {
@@ -107,9 +133,9 @@ Findings tryOtherWorlds(const LearningRun& run, const PlayHooks& hooks) {
 
 const std::vector<Check>& checks() {
   static const std::vector<Check> all = {
-      {LearningPhase::kVerifying, isVerified, verifyEntries},
-      {LearningPhase::kValidating, isValidated, validateEntries},
-      {LearningPhase::kTryingWorlds, isTriedElsewhere, tryOtherWorlds},
+      {LearningPhase::kVerifying, isVerified, costOfVerification, verifyEntries},
+      {LearningPhase::kValidating, isValidated, costOfValidation, validateEntries},
+      {LearningPhase::kTryingWorlds, isTriedElsewhere, costOfOtherWorlds, tryOtherWorlds},
   };
   return all;
 }

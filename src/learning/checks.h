@@ -13,12 +13,14 @@ namespace hexapod {
 struct Check {
   LearningPhase phase;
   bool (*is_wanted)(const LearningRun& run);
+  /// How many of the run's simulations take about as long.
+  double (*cost)(const LearningRun& run);
   /// The hooks are told of the behaviours it plays. Throws EvaluationCancelled.
   Findings (*find)(const LearningRun& run, const PlayHooks& hooks);
 };
 
-/// The checks in the order in which they are made: verification in ODE, validation of what holds,
-/// worlds that learning does not use.
+/// The checks in the order in which they are made, which is that of their phases: verification in
+/// ODE, validation of what holds, worlds that learning does not use.
 const std::vector<Check>& checks();
 
 /// What is left in worlds that learning does not use of the entries as they are now, told as

@@ -10,6 +10,10 @@ namespace {
 
 constexpr double kDegrees = 180.0 / M_PI;
 
+std::string timeLeft(const LearningStatus& status) {
+  return fixedText(status.left_s, 0) + " s left";
+}
+
 std::string describeEvolving(const LearningStatus& status) {
   std::string line = "Learning: " + std::to_string(status.counters.evaluations);
   // A run that only its time limits has a budget nobody reads.
@@ -26,19 +30,20 @@ std::string describeBriefly(const LearningStatus& status) {
     text = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg, ";
   }
-  return text + std::to_string(status.entries) + " entries, " + fixedText(status.eta_s, 0) +
-         " s left";
+  return text + std::to_string(status.entries) + " entries, " + timeLeft(status);
 }
 
 std::string describe(const LearningStatus& status) {
   const std::string checked =
       std::to_string(status.checked) + " of " + std::to_string(status.to_check);
   if (status.phase == LearningPhase::kVerifying) {
-    return "Verifying: " + checked + " entries replayed in ODE.";
+    return "Verifying: " + checked + " entries replayed in ODE, " + timeLeft(status);
   }
-  if (status.phase == LearningPhase::kValidating) return "Validating: " + checked + " executions.";
+  if (status.phase == LearningPhase::kValidating) {
+    return "Validating: " + checked + " executions, " + timeLeft(status);
+  }
   if (status.phase == LearningPhase::kTryingWorlds) {
-    return "Trying other worlds: " + checked + " executions.";
+    return "Trying other worlds: " + checked + " executions, " + timeLeft(status);
   }
   if (status.phase != LearningPhase::kDone) return describeEvolving(status);
   std::string line = "Done: " + std::to_string(status.counters.evaluations) + " evaluations, " +

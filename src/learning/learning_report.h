@@ -6,9 +6,8 @@
 
 namespace hexapod {
 
-/// A line for a person: "Learning: 2000 of 20000 evaluations, 512/s, 35 s left, 120 entries,
-/// sparseness 4.21 cm, orientation error 2.31 deg where it learned; 2500 simulations, 130 gaits
-/// known." The same in every locale.
+/// A line for a person: "Learning: 2000 of 20000, sparseness 4.21 cm, error 2.31 deg, 120 entries,
+/// 35 s left". The same in every locale.
 std::string describe(const LearningStatus& status);
 
 /// The same without what a bar beside it shows: "sparseness 4.21 cm, error 2.31 deg, 120 entries, 4

@@ -7,6 +7,7 @@
 
 #include "common/half_decade.h"
 #include "learning/resume.h"
+#include "learning/time_left.h"
 
 namespace hexapod {
 namespace {
@@ -134,7 +135,9 @@ bool LearningSession::checkEntries(const Hooks& hooks) {
   const auto progress = [&](std::size_t done, std::size_t all) {
     checked_ = static_cast<std::int64_t>(done);
     to_check_ = static_cast<std::int64_t>(all);
+    const double told_s = clock_();
     if (hooks.progress) hooks.progress(*this);
+    check_began_s_ += clock_() - told_s;
   };
   for (const Check& check : checks()) {
     if (!check.is_wanted(run_)) continue;
@@ -154,6 +157,7 @@ bool LearningSession::checkEntries(const Hooks& hooks) {
 void LearningSession::enter(LearningPhase phase) {
   const std::lock_guard<FairMutex> lock(mutex_);
   phase_ = phase;
+  check_began_s_ = clock_();
   checked_ = to_check_ = 0;
 }
 
@@ -212,12 +216,7 @@ LearningStatus LearningSession::status() const {
   if (status.elapsed_s > 0.0) {
     status.evaluations_per_s = static_cast<double>(status.counters.evaluations) / status.elapsed_s;
   }
-  const auto left = static_cast<double>(options_.evaluations - status.counters.evaluations);
-  if (left > 0.0 && status.evaluations_per_s > 0.0) status.eta_s = left / status.evaluations_per_s;
-  if (options_.time_budget_s > 0.0) {
-    const double time_left_s = std::max(0.0, options_.time_budget_s - status.elapsed_s);
-    status.eta_s = status.elapsed_s > 0.0 ? std::min(status.eta_s, time_left_s) : time_left_s;
-  }
+  status.left_s = timeLeft_s(run_, phase_, {clock_() - check_began_s_, checked_, to_check_});
   if (run_.newestRow() != nullptr) status.last = *run_.newestRow();
   return status;
 }

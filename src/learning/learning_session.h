@@ -32,7 +32,7 @@ struct LearningStatus {
   std::int64_t to_check = 0;       ///< and those it plays
   double elapsed_s = 0.0;          ///< spent evolving
   double evaluations_per_s = 0.0;  ///< over the time spent evolving
-  double eta_s = 0.0;              ///< to the end of evolution; 0 once it has ended
+  double left_s = 0.0;             ///< about so long to the end of all phases
   HistoryRow last;                 ///< the newest row of the history
 };
 
@@ -120,6 +120,7 @@ class LearningSession {
   double lap_s_ = 0.0;  // up to here time spent evolving is counted
   std::atomic<std::int64_t> checked_{0};
   std::atomic<std::int64_t> to_check_{0};
+  double check_began_s_ = 0.0;  // later by what the hook waited for
 };
 
 }  // namespace hexapod

@@ -10,11 +10,11 @@
 #include <thread>
 
 #include "learning/learning_session.h"
+#include "learning/progress_display.h"
 #include "learning/worker.h"
 #include "repertoire/repertoire_csv.h"
 #include "robot/load_robot.h"
 #include "tools/evolve_options.h"
-#include "tools/progress_display.h"
 #include "tools/ranks.h"
 #include "tools/same_file.h"
 #include "tools/signal_watch.h"

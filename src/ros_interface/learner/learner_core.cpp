@@ -2,9 +2,8 @@
 
 #include <ros/console.h>
 
+#include <iostream>
 #include <utility>
-
-#include "learning/learning_report.h"
 
 namespace hexapod {
 namespace {
@@ -39,6 +38,8 @@ LearnerCore::LearnerCore(const RobotDescription& robot, const LearnerOptions& op
       leaves_(std::move(leaves)),
       session_(robot, options.learn,
                [&clock] { return 1e-9 * static_cast<double>(clock.steadyNow_ns()); }),
+      display_(std::cout, ProgressDisplay::forStandardOutput(kLogPeriod_s),
+               [](const std::string& line) { ROS_INFO_STREAM(line); }),
       run_id_(session_.repertoire().run_id),
       paused_(options.start_paused) {}
 
@@ -55,9 +56,10 @@ LearnerCore::Answer LearnerCore::pause(bool pause) {
 }
 
 int LearnerCore::run() {
-  ROS_INFO_STREAM("Learning run " << run_id_ << ": " << session_.status().evaluations_budget
-                                  << " evaluations into " << options_.learn.repertoire_file << ".");
-  if (!session_.startRemark().empty()) ROS_INFO_STREAM(session_.startRemark());
+  display_.say("Learning run " + run_id_ + ": " +
+               std::to_string(session_.status().evaluations_budget) + " evaluations into " +
+               options_.learn.repertoire_file + ".");
+  if (!session_.startRemark().empty()) display_.say(session_.startRemark());
   if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
   waitWhilePaused();
   LearningSession::Hooks hooks;
@@ -67,8 +69,12 @@ int LearnerCore::run() {
   };
   const bool finished = session_.run(hooks);
   ended_ = true;
+  display_.clear();
   const std::string remark = session_.verificationRemark();
   if (!remark.empty()) ROS_WARN_STREAM(remark);
+  if (finished && !options_.exit_when_done && session_.saveProblem().empty()) {
+    display_.say("Saved in " + options_.learn.repertoire_file + "; published until Ctrl-C.");
+  }
   while (finished && !options_.exit_when_done && !leaves_()) {
     if (isDue(tried_, kRetryPeriod_s)) retrySaving();
     sleep(kPoll_ns);
@@ -93,14 +99,16 @@ std::string LearnerCore::lastWords() const {
 }
 
 void LearnerCore::complain(const std::string& problem) {
-  if (isDue(complained_, kComplainPeriod_s)) ROS_ERROR_STREAM(problem);
+  if (!isDue(complained_, kComplainPeriod_s)) return;
+  display_.clear();
+  ROS_ERROR_STREAM(problem);
 }
 
 void LearnerCore::retrySaving() {
   if (session_.saveProblem().empty()) return;
   const std::string problem = session_.saveNow();
   if (problem.empty()) {
-    ROS_INFO_STREAM("The repertoire is saved now.");
+    display_.say("The repertoire is saved now.");
   } else {
     complain(problem);
   }
@@ -111,11 +119,7 @@ void LearnerCore::onProgress() {
   const bool done = status.phase == LearningPhase::kDone;
   if (done) ended_ = true;
   if (isDue(told_, kTellPeriod_s) || done) tell(status);
-  const bool changed = status.phase != logged_phase_;
-  if (isDue(logged_, changed ? 0.0 : kLogPeriod_s)) {
-    logged_phase_ = status.phase;
-    ROS_INFO_STREAM(describe(status));
-  }
+  display_.show(status, 1e-9 * static_cast<double>(clock_.steadyNow_ns()));
   const bool evolving = status.phase == LearningPhase::kEvolving;
   if (done || (evolving && isDue(shown_, options_.publish_period_s))) {
     audience_.show(session_.repertoire());
@@ -124,6 +128,7 @@ void LearnerCore::onProgress() {
 }
 
 void LearnerCore::waitWhilePaused() {
+  if (paused_) display_.say("Paused; Start in rviz, or ~pause with false, goes on.");
   while (paused_ && !leaves_()) {
     if (isDue(told_, kTellPeriod_s)) tell(session_.status());
     sleep(kPoll_ns);
@@ -145,7 +150,7 @@ void LearnerCore::tell(const LearningStatus& status) {
   message.simulations = status.simulations;
   message.known = status.known;
   message.evaluations_per_s = status.evaluations_per_s;
-  message.eta_s = status.eta_s;
+  message.eta_s = status.left_s;
   message.archive_size = status.entries;
   message.sparseness_m = status.last.sparseness_m;
   message.median_orientation_error_rad = status.last.median_orientation_error_rad;

@@ -8,6 +8,7 @@
 
 #include "hexapod_repertoire/LearningProgress.h"
 #include "learning/learning_session.h"
+#include "learning/progress_display.h"
 #include "ros_interface/common/clock.h"
 #include "ros_interface/learner/learner_options.h"
 
@@ -26,8 +27,8 @@ class LearnerAudience {
 /// do and answer, what becomes of a save that failed, the exit code and the last words.
 ///
 /// Repertoires are shown when they changed, at most every publish_period_s, and at the end;
-/// progress is told once a second, paused or not, and as a line on the terminal. save(), pause()
-/// and requestStop() may be called from any thread.
+/// progress is told once a second, paused or not, and shown as a ProgressDisplay does. save(),
+/// pause() and requestStop() may be called from any thread.
 class LearnerCore {
  public:
   struct Answer {
@@ -80,12 +81,11 @@ class LearnerCore {
   LearnerAudience& audience_;
   std::function<bool()> leaves_;
   LearningSession session_;
+  ProgressDisplay display_;
   std::string run_id_;
   std::atomic<bool> paused_{false};
   std::atomic<bool> ended_{false};
-  LearningPhase logged_phase_ = LearningPhase::kEvolving;
   Now told_;
-  Now logged_;
   Now shown_;
   Now complained_;
   Now tried_;

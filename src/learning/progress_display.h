@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -17,10 +18,14 @@ class ProgressDisplay {
     double period_s = 5.0;     ///< between two plain lines
   };
 
+  /// Writes a line that stays.
+  using Write = std::function<void(const std::string& line)>;
+
   /// Options that fit the standard output.
   static Options forStandardOutput(double period_s);
 
-  ProgressDisplay(std::ostream& out, const Options& options) : out_(out), options_(options) {}
+  /// The bar goes to `out`, which must outlive it, and so do the lines unless `write` is given.
+  ProgressDisplay(std::ostream& out, const Options& options, Write write = nullptr);
 
   /// Shows the status if the last one shown is old enough, or something else is done now.
   /// `now_s` is a clock that never goes back.
@@ -29,12 +34,16 @@ class ProgressDisplay {
   /// A line that stays.
   void say(const std::string& line);
 
+  /// Takes the bar away, for whoever writes next.
+  void clear();
+
   /// A line that stays, of a problem that may come again and again: at most every ten seconds.
   void complain(const std::string& problem, double now_s);
 
  private:
   std::ostream& out_;
   Options options_;
+  Write write_;
   LearningPhase phase_ = LearningPhase::kEvolving;
   double shown_s_ = -1e9;
   double complained_s_ = -1e9;

@@ -1,10 +1,11 @@
-#include "tools/progress_display.h"
+#include "learning/progress_display.h"
 
 #include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "learning/learning_report.h"
 
@@ -29,22 +30,31 @@ ProgressDisplay::Options ProgressDisplay::forStandardOutput(double period_s) {
   return options;
 }
 
+ProgressDisplay::ProgressDisplay(std::ostream& out, const Options& options, Write write)
+    : out_(out), options_(options), write_(std::move(write)) {
+  if (!write_) write_ = [this](const std::string& line) { out_ << line << std::endl; };
+}
+
 void ProgressDisplay::show(const LearningStatus& status, double now_s) {
   const double period_s = options_.is_terminal ? kRedrawPeriod_s : options_.period_s;
   if (status.phase == phase_ && now_s - shown_s_ < period_s) return;
   phase_ = status.phase;
   shown_s_ = now_s;
-  if (!options_.is_terminal) {
-    out_ << describe(status) << std::endl;
-  } else if (status.phase == LearningPhase::kDone) {
+  if (!options_.is_terminal || status.phase == LearningPhase::kDone) {
     say(describe(status));
-  } else {
-    out_ << kClearLine << progressBar(status, options_.columns - 1) << std::flush;
+    return;
   }
+  // Whoever else writes begins at the left, and not behind the bar.
+  out_ << kClearLine << progressBar(status, options_.columns - 1) << "\r" << std::flush;
+}
+
+void ProgressDisplay::clear() {
+  if (options_.is_terminal) out_ << kClearLine << std::flush;
 }
 
 void ProgressDisplay::say(const std::string& line) {
-  out_ << (options_.is_terminal ? kClearLine : "") << line << std::endl;
+  clear();
+  write_(line);
 }
 
 void ProgressDisplay::complain(const std::string& problem, double now_s) {

@@ -1,4 +1,4 @@
-#include "tools/progress_display.h"
+#include "learning/progress_display.h"
 
 #include <gtest/gtest.h>
 
@@ -15,7 +15,7 @@ LearningStatus halfDone() {
   status.evaluations_budget = 4000;
   status.entries = 120;
   status.evaluations_per_s = 512.4;
-  status.eta_s = 3.9;
+  status.left_s = 3.9;
   status.last.evaluations = 2000;
   status.simulations = 2500;
   status.known = 130;
@@ -35,7 +35,7 @@ LearningStatus validating(std::int64_t validated) {
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
             "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 4 s left");
-  EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 executions.");
+  EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 executions, 4 s left");
 }
 
 TEST(LearningReport, LeavesOutTheMetricsUntilThereAreSome) {
@@ -62,7 +62,7 @@ TEST(ProgressBar, FillsWithTheBudget) {
 TEST(ProgressBar, FitsItsTerminal) {
   LearningStatus large = halfDone();
   large.entries = 9999;
-  large.eta_s = 5999.0;
+  large.left_s = 5999.0;
   EXPECT_EQ(progressBar(large, 79), progressBar(large, 200));
   EXPECT_EQ(progressBar(halfDone(), 40).size(), 40U);
   EXPECT_EQ(progressBar(halfDone(), 0), "");
@@ -86,8 +86,20 @@ TEST(ProgressDisplay, RedrawsTheBarInPlaceOnATerminal) {
   ProgressDisplay display(out, {true, 80, 5.0});
   display.show(halfDone(), 1.0);
   display.show(halfDone(), 2.0);
-  const std::string once = "\r\x1b[K" + progressBar(halfDone(), 79);
+  const std::string once = "\r\x1b[K" + progressBar(halfDone(), 79) + "\r";
   EXPECT_EQ(out.str(), once + once);
+}
+
+TEST(ProgressDisplay, TakesTheBarAwayBeforeALineOfSomebodyElse) {
+  std::ostringstream bar;
+  std::string lines;
+  ProgressDisplay display(bar, {true, 80, 5.0}, [&](const std::string& line) {
+    EXPECT_EQ(bar.str().substr(bar.str().size() - 4), "\r\x1b[K");
+    lines += line;
+  });
+  display.show(halfDone(), 1.0);
+  display.say("Saved.");
+  EXPECT_EQ(lines, "Saved.");
 }
 
 TEST(ProgressDisplay, RepeatsAComplaintSlowly) {
