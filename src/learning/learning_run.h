@@ -49,6 +49,7 @@ class LearningRun {
   const EngineChoice& engine() const { return engine_; }
   const std::shared_ptr<WorldPool>& worlds() const { return worlds_; }
   const EvolutionCounters& counters() const { return algorithm_->counters(); }
+  const std::vector<HistoryRow>& history() const { return history_; }
   const HistoryRow* newestRow() const { return history_.empty() ? nullptr : &history_.back(); }
   std::int64_t simulations() const { return earlier_simulations_ + evaluator_.simulations(); }
   std::int64_t known() const { return evaluator_.known(); }

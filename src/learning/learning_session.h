@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "learning/checkpointer.h"
 #include "learning/checks.h"
@@ -94,6 +95,9 @@ class LearningSession {
   const std::string& engineRemark() const { return run_.engine().remark; }
 
   LearningStatus status() const;
+
+  /// One row now and then, the oldest first.
+  const std::vector<HistoryRow>& history() const { return run_.history(); }
 
   /// The repertoire as it is now.
   Repertoire repertoire() const { return run_.repertoire(); }

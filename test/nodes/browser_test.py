@@ -6,6 +6,7 @@ import pytest
 
 rospy = pytest.importorskip("rospy")
 # pylint: disable=wrong-import-position
+from geometry_msgs.msg import PointStamped
 from hexapod_repertoire.msg import ExecutorState, Repertoire, RepertoireFilter, StepReport
 from hexapod_repertoire.srv import ChooseEntry, ExcludeEntry, LoadRepertoire
 from sensor_msgs.msg import JointState
@@ -14,6 +15,8 @@ from visualization_msgs.msg import (InteractiveMarkerFeedback, InteractiveMarker
 from walking_session import ROOT, WalkingSession, wait_for
 
 CLICKS = 20
+TRIANGLES = 2  # of a disc
+HANDLE_POINTS = 12  # of a hexagon of four triangles
 WALL_TIMEOUT_S = 30.0
 
 
@@ -72,13 +75,37 @@ def test_everything_is_drawn_and_can_be_clicked(session):
     handles = Ear("repertoire_handles/update_full", InteractiveMarkerInit).wait(
         lambda m: m.markers, "something to click")
     control = handles.markers[0].controls[0]
-    assert len(control.markers[0].points) == len(entries)
+    assert len(control.markers[0].points) == HANDLE_POINTS * len(entries)
     assert [entry.title for entry in handles.markers[0].menu_entries] == [
         "Play it", "Look at it", "Show its gait", "Show its neighbours", "Do not use it"]
     drawn = Ear("repertoire_markers", MarkerArray).wait(lambda m: m.markers, "markers")
-    assert len(drawn.markers[0].points) == len(entries)
+    assert len(drawn.markers[0].points) == TRIANGLES * 3 * len(entries)
     assert {"robot_outline", "region_of_interest", "legend", "figures"} <= {
         marker.ns for marker in drawn.markers}
+
+
+def test_where_the_mouse_is_told_only_what_is_below_it_has_a_handle(session):
+    entries = repertoire_of(session)
+    handles = Ear("repertoire_handles/update_full", InteractiveMarkerInit)
+    pointer = rospy.Publisher("repertoire_pointer", PointStamped, queue_size=10)
+    wait_for(pointer.get_num_connections, WALL_TIMEOUT_S, "the browser")
+    place = PointStamped()
+    place.header.frame_id = "repertoire_origin"
+    place.point.x, place.point.y = expected(entries[5]).x, expected(entries[5]).y
+    pointer.publish(place)
+    one = handles.wait(lambda m: m.markers and len(points_of(m)) == HANDLE_POINTS, "one handle")
+    centre = [sum(getattr(point, axis) for point in points_of(one)[:HANDLE_POINTS]) / HANDLE_POINTS
+              for axis in ("x", "y")]
+    assert abs(centre[0] - place.point.x) < 0.02 and abs(centre[1] - place.point.y) < 0.02
+    place.point.x = 9.0  # beside everything: the last one stays
+    pointer.publish(place)
+    pointer.unregister()
+    handles.wait(lambda m: m.markers and len(points_of(m)) == HANDLE_POINTS * len(entries),
+                 "all handles again")
+
+
+def points_of(handles):
+    return handles.markers[0].controls[0].markers[0].points
 
 
 def test_looking_moves_nothing(session, clicks):
@@ -112,13 +139,13 @@ def test_what_the_filter_leaves_out_is_neither_drawn_nor_clicked(session):
     spread_m = sorted(entry.spread_m for entry in repertoire_of(session))[5]
     steady = sum(entry.spread_m <= spread_m for entry in repertoire_of(session))
     publisher.publish(max_orientation_error_rad=-1.0, max_spread_m=spread_m)
-    drawn.wait(lambda array: len(array.markers[0].points) == steady, "fewer markers")
+    drawn.wait(lambda array: len(array.markers[0].colors) == TRIANGLES * steady, "fewer markers")
     handles = Ear("repertoire_handles/update_full", InteractiveMarkerInit)
-    handles.wait(lambda m: len(m.markers[0].controls[0].markers[0].points) == steady,
+    handles.wait(lambda m: len(points_of(m)) == HANDLE_POINTS * steady,
                  "fewer handles")
     publisher.publish(max_orientation_error_rad=-1.0, max_spread_m=-1.0)
     everything = len(repertoire_of(session))
-    drawn.wait(lambda array: len(array.markers[0].points) == everything, "all markers again")
+    drawn.wait(lambda array: len(array.markers[0].colors) == TRIANGLES * everything, "all markers again")
 
 
 def right_click(clicks, entry, item):

@@ -1,4 +1,6 @@
 """rviz, on a display of its own, with the shipped files: no complaint, markers seen, goals walked to."""
+import itertools
+import math
 import os
 import pathlib
 import shutil
@@ -10,13 +12,16 @@ import pytest
 rospy = pytest.importorskip("rospy")
 # pylint: disable=wrong-import-position
 import rosgraph
-from geometry_msgs.msg import PoseStamped
-from hexapod_repertoire.msg import WalkSummary
+from geometry_msgs.msg import PointStamped, PoseStamped
+from hexapod_repertoire.msg import Repertoire, StepReport, WalkSummary
 from hexapod_repertoire.srv import GoToResponse
+from visualization_msgs.msg import MarkerArray
 
 from walking_session import BINARIES, ROOT, WalkingSession, wait_for
 
 PATIENCE_S = 60.0
+MOVE_S = 0.5  # for rviz to notice where the mouse is
+CLOSE_M = 0.012
 WIDTH, HEIGHT = 1280, 800
 # What rviz's own package of Debian says at every start, and what has no meaning here.
 NOT_OURS = ("no such package media_export", "librospack", "XDG_RUNTIME_DIR")
@@ -24,6 +29,7 @@ MISSING = [name for name in ("rviz", "Xvfb", "xdotool") if not shutil.which(name
 # Continuous integration installs them.
 pytestmark = pytest.mark.skipif(bool(MISSING) and os.environ.get("CI") != "true",
                                 reason=f"not installed: {', '.join(MISSING)}")
+HAS_PANEL = (BINARIES.parent / "libhexapod_panel.so").exists()
 # Displays of each file, by the topics they listen to.
 TOPICS = {
     "browse": {"/repertoire_markers", "/entry_markers", "/repertoire_handles/update"},
@@ -125,6 +131,12 @@ def green_pixels(screen):
     return int(((green > red + 60) & (green > blue + 60)).sum())
 
 
+def is_handle(screen, x, y):
+    """Has much of what is around a place the colour of a handle over the floor?"""
+    red, green, blue = np.moveaxis(screen.pixels()[y - 8:y + 8, x - 8:x + 8], 2, 0)
+    return ((red > 200) & (red > green + 15) & (green > blue + 8) & (blue > 120)).mean() > 0.3
+
+
 def test_every_shipped_file_is_tried():
     assert {file.stem for file in (ROOT / "rviz").glob("*.rviz")} == set(TOPICS)
 
@@ -137,7 +149,7 @@ def test_a_shipped_file_starts_without_a_complaint_and_shows_the_repertoire(
         wait_for(lambda: TOPICS[name] <= topics_of_rviz(), PATIENCE_S, f"topics of {name}")
         wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
         # The panel is one of those who listen, where it is built.
-        if (BINARIES.parent / "libhexapod_panel.so").exists():
+        if HAS_PANEL:
             assert "/planner/walk_summary" in topics_of_rviz()
         assert rviz.complaints() == []
 
@@ -168,3 +180,38 @@ def test_frames_are_parameters_of_rviz(session, screen, tmp_path, monkeypatch):
         wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
         assert rviz.complaints() == []
     assert "Target Frame: base_link" in (tmp_path / "hexapod_rviz_1.rviz").read_text()
+
+
+def point_at_an_entry(screen, pointed, entries):
+    """Moves the mouse over the repertoire until it is close to an entry that can be played."""
+    for x, y in itertools.product(range(720, 900, 10), range(200, 420, 10)):
+        pointed.clear()
+        screen.do("mousemove", x, y)
+        try:
+            place = wait_for(lambda: pointed, MOVE_S, "the mouse over an entry")[-1].point
+        except AssertionError:
+            continue
+        away_m = {math.hypot(entry.executed_pose.x - place.x, entry.executed_pose.y - place.y):
+                  entry.falls for entry in entries}
+        if min(away_m) < CLOSE_M and away_m[min(away_m)] == 0:
+            return x, y
+    raise AssertionError("There is no entry below the mouse.")
+
+
+@pytest.mark.skipif(not HAS_PANEL, reason="the panel is not built")
+def test_the_mouse_over_an_entry_gives_it_a_handle_and_a_click_plays_it(session, screen, tmp_path):
+    assert session
+    repertoires, pointed, words, reports = [], [], [], []
+    _repertoires = rospy.Subscriber("repertoire", Repertoire, repertoires.append)
+    _pointed = rospy.Subscriber("repertoire_pointer", PointStamped, pointed.append)
+    _words = rospy.Subscriber("entry_markers", MarkerArray, words.append)
+    _reports = rospy.Subscriber("browser/step_report", StepReport, reports.append)
+    with Rviz(screen, with_file("browse.rviz"), tmp_path):
+        wait_for(lambda: green_pixels(screen) > 500, PATIENCE_S, "the repertoire on the screen")
+        wait_for(lambda: repertoires, PATIENCE_S, "the repertoire")
+        mouse = point_at_an_entry(screen, pointed, repertoires[0].entries)
+        wait_for(lambda: is_handle(screen, *mouse), PATIENCE_S, "the handle")
+        screen.do("click", 1)
+        wait_for(lambda: reports, PATIENCE_S, "the end of the behaviour")
+    assert any(f"entry {reports[0].entry_id}\n" in marker.text
+               for array in words for marker in array.markers)

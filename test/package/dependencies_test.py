@@ -13,8 +13,9 @@ NAME_IN_PACKAGE_XML = {
     "Eigen3": "eigen", "TBB": "tbb", "ode": "opende", "urdfdom": "liburdfdom-dev",
     "GTest": "gtest", "MPI": "mpi", "Qt5": "qtbase5-dev", "pybind11": "pybind11-dev",
 }
-# Parts of CMake, of the compiler, of [tools], or what pluginlib's headers include.
-NOT_DEPENDENCIES = {"PkgConfig", "Threads", "catkin", "class_loader", "rcpputils", "rcutils"}
+# Parts of CMake, of the compiler, of [tools], or what the headers of pluginlib and rviz include.
+NOT_DEPENDENCIES = {"PkgConfig", "Threads", "catkin", "class_loader", "rcpputils", "rcutils",
+                    "OgreMain", "OgrePlane"}
 # Python modules whose Debian package is called otherwise in package.xml.
 MODULE_IN_PACKAGE_XML = {
     "numpy": "python3-numpy", "matplotlib": "python3-matplotlib",

@@ -11,29 +11,26 @@
 
 #include "hexapod_repertoire/ExcludeEntry.h"
 #include "hexapod_repertoire/StepReport.h"
-#include "ros_interface/browser/entry_choice.h"
+#include "repertoire/describe_entry.h"
+#include "repertoire/entry_choice.h"
 #include "ros_interface/browser/entry_recording.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
 #include "ros_interface/display/gait_markers.h"
-#include "ros_interface/display/markers.h"
+#include "ros_interface/display/repertoire_markers.h"
 #include "ros_interface/display/scene_markers.h"
 
 namespace hexapod {
 namespace {
 
-constexpr char kOriginFrame[] = "repertoire_origin";
 constexpr char kOtherRobot[] =
     "The repertoire was learned for another robot than that of robot_config.";
-constexpr char kHandleTopic[] = "repertoire_handles";
 constexpr double kPoll_s = 0.05;
 constexpr std::size_t kNeighbours = 5;
 // The diagram of a gait, behind the texts beside the repertoire.
 constexpr double kGaitAhead_m = -0.2;
 constexpr double kGaitWider_m = 0.2;
 constexpr double kHistory_s = 10.0;
-// A click so far from every end means none of them.
-constexpr double kClickReach_m = 0.05;
 // A robot that stands sways by less than this.
 constexpr double kMoved_m = 0.002;
 constexpr double kMoved_rad = 0.01;
@@ -51,9 +48,8 @@ BrowserNode::BrowserNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
           node.advertise<visualization_msgs::MarkerArray>("repertoire_markers", 1, true)),
       entry_publisher_(node.advertise<visualization_msgs::MarkerArray>("entry_markers", 1, true)),
       step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)),
-      handle_(
-          kHandleTopic, kOriginFrame, buffer_,
-          [this](ArchiveHandle::Wish wish, double x_m, double y_m) { onClick(wish, x_m, y_m); }) {
+      handle_(node, names::kRepertoireOriginFrame, buffer_,
+              [this](ArchiveHandle::Wish wish, const Entry& entry) { onClick(wish, entry); }) {
   standAt({});
   if (options_.player == Player::kRobot) {
     makeRobotPlayer(node);
@@ -81,6 +77,7 @@ void BrowserNode::makeRobotPlayer(ros::NodeHandle& node) {
 void BrowserNode::run(const std::atomic<bool>& leave) {
   while (!leave && ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
+    handle_.lookForPointer();
     if (player_) followRobot();
   }
 }
@@ -101,8 +98,8 @@ void BrowserNode::followRobot() {
 
 void BrowserNode::standAt(const Pose2& pose) {
   origin_ = pose;
-  origin_broadcaster_.sendTransform(
-      toTransformMsg(inSpace(pose), options_.pose.global_frame, kOriginFrame, clock_.rosNow()));
+  origin_broadcaster_.sendTransform(toTransformMsg(inSpace(pose), options_.pose.global_frame,
+                                                   names::kRepertoireOriginFrame, clock_.rosNow()));
 }
 
 void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& message) {
@@ -138,11 +135,11 @@ void BrowserNode::showRepertoire() {
   std::copy_if(repertoire_.entries.begin(), repertoire_.entries.end(),
                std::back_inserter(shown_.entries),
                [this](const Entry& entry) { return filter_.passes(entry); });
-  visualization_msgs::MarkerArray array = repertoireMarkers(shown_, kOriginFrame);
-  const auto scene = sceneMarkers(robot_, shown_, kOriginFrame);
+  visualization_msgs::MarkerArray array = repertoireMarkers(shown_, names::kRepertoireOriginFrame);
+  const auto scene = sceneMarkers(robot_, shown_, names::kRepertoireOriginFrame);
   array.markers.insert(array.markers.end(), scene.markers.begin(), scene.markers.end());
   marker_publisher_.publish(array);
-  handle_.show(shown_);
+  handle_.show(shown_.entries);
 }
 
 bool BrowserNode::onChoose(hexapod_repertoire::ChooseEntry::Request& request,
@@ -161,10 +158,7 @@ bool BrowserNode::onChoose(hexapod_repertoire::ChooseEntry::Request& request,
   return true;
 }
 
-void BrowserNode::onClick(ArchiveHandle::Wish wish, double x_m, double y_m) {
-  const auto found = entryNear(shown_.entries, x_m, y_m, kClickReach_m);
-  if (!found) return;
-  const Entry entry = shown_.entries[*found];
+void BrowserNode::onClick(ArchiveHandle::Wish wish, const Entry& entry) {
   EntryPicture picture = pictureOf(entry);
   switch (wish) {
     case ArchiveHandle::Wish::kPlay:
@@ -188,6 +182,7 @@ void BrowserNode::onClick(ArchiveHandle::Wish wish, double x_m, double y_m) {
 /// Shows an entry and plays it if asked; returns why it is not played, or "".
 std::string BrowserNode::choose(const Entry& entry, bool play) {
   clicked_ = true;
+  handle_.choose(entry.id);
   std::string remark;
   if (play) {
     remark = model_ ? playOnModel(entry) : player_->play(repertoire_.run_id, entry);

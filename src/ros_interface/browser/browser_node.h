@@ -53,7 +53,7 @@ class BrowserNode {
   void showGait(const Entry& entry);
   std::string exclude(const Entry& entry);
   EntryPicture pictureOf(const Entry& entry) const;
-  void onClick(ArchiveHandle::Wish wish, double x_m, double y_m);
+  void onClick(ArchiveHandle::Wish wish, const Entry& entry);
   std::string playOnModel(const Entry& entry);
   void tell(const RobotPlayer::Report& report);
   void show(const EntryPicture& picture);

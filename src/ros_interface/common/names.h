@@ -9,6 +9,7 @@ namespace names {
 // Topics.
 constexpr char kRepertoire[] = "repertoire";
 constexpr char kRepertoireFilter[] = "repertoire_filter";
+constexpr char kRepertoirePointer[] = "repertoire_pointer";
 constexpr char kJointCommand[] = "joint_command";
 constexpr char kJointStates[] = "joint_states";
 constexpr char kRobotReset[] = "robot_reset";
@@ -21,6 +22,8 @@ constexpr char kExecute[] = "execute";
 // Frames (REP-105, REP-120); without a leading slash.
 constexpr char kOdomFrame[] = "odom";
 constexpr char kFootprintFrame[] = "base_footprint";
+// Of the repertoire that is shown: where the robot last stood.
+constexpr char kRepertoireOriginFrame[] = "repertoire_origin";
 
 }  // namespace names
 }  // namespace hexapod

@@ -7,6 +7,7 @@
 
 #include "common/text.h"
 #include "geometry/arc.h"
+#include "repertoire/describe_entry.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/display/marker_parts.h"
 
@@ -22,11 +23,6 @@ constexpr double kHeading_m = 0.08;
 
 std::string inDegrees(double angle_rad, int decimals) {
   return fixedText(angle_rad * 180.0 / M_PI, decimals) + " deg";
-}
-
-std::string inWords(const Pose2& pose) {
-  return "(" + fixedText(pose.x_m, 3) + " m, " + fixedText(pose.y_m, 3) + " m, " +
-         inDegrees(pose.yaw_rad, 1) + ")";
 }
 
 Marker arcOf(const EntryPicture& picture) {
@@ -96,21 +92,6 @@ std::string difference(const Pose2& expected, const Pose2& reached) {
 }
 
 }  // namespace
-
-std::string describe(const Entry& entry) {
-  const Pose2& pose = entry.expectedPose();
-  std::string text = "entry " + std::to_string(entry.id) + "\nends at " + inWords(pose) +
-                     "\norientation error " + inDegrees(orientationError(pose), 1);
-  if (!entry.execution) return text + ", not validated";
-  const Execution& execution = *entry.execution;
-  text += "\nspread " + fixedText(100.0 * execution.spread_m, 1) + " cm and " +
-          inDegrees(execution.spread_rad, 1) + " over " + std::to_string(execution.trials) +
-          " trials";
-  if (execution.falls > 0) {
-    text += "\nnot used: " + std::to_string(execution.falls) + " of them failed";
-  }
-  return text;
-}
 
 visualization_msgs::MarkerArray entryMarkers(const EntryPicture& picture) {
   const Pose2 expected = picture.start * picture.entry.expectedPose();

@@ -22,9 +22,6 @@ struct EntryPicture {
   double beside_m = 0.7;          ///< so far to the left of `start` it is put in words
 };
 
-/// The entry in words: id, where it ends, how well aligned, how steady.
-std::string describe(const Entry& entry);
-
 /// The entry's arc, a ring around its expected end, its heading, the pose it reached with a line to
 /// the one that was expected, rings around the ends of its neighbours, and all of it in words.
 /// Fixed ids.

@@ -9,7 +9,7 @@
 #include "repertoire/metrics.h"
 #include "robot/dimensions.h"
 #include "ros_interface/display/marker_parts.h"
-#include "ros_interface/display/markers.h"
+#include "ros_interface/display/repertoire_markers.h"
 #include "ros_interface/display/standing_leg.h"
 
 namespace hexapod {

@@ -61,6 +61,7 @@ int LearnerCore::run() {
                options_.learn.repertoire_file + ".");
   if (!session_.startRemark().empty()) display_.say(session_.startRemark());
   if (!session_.engineRemark().empty()) ROS_WARN_STREAM(session_.engineRemark());
+  tellHistory();
   waitWhilePaused();
   LearningSession::Hooks hooks;
   hooks.progress = [this](const LearningSession&) { onProgress(); };
@@ -119,6 +120,7 @@ void LearnerCore::onProgress() {
   const bool done = status.phase == LearningPhase::kDone;
   if (done) ended_ = true;
   if (isDue(told_, kTellPeriod_s) || done) tell(status);
+  tellHistory();
   display_.show(status, 1e-9 * static_cast<double>(clock_.steadyNow_ns()));
   const bool evolving = status.phase == LearningPhase::kEvolving;
   if (done || (evolving && isDue(shown_, options_.publish_period_s))) {
@@ -137,6 +139,21 @@ void LearnerCore::waitWhilePaused() {
 
 void LearnerCore::sleep(std::int64_t ns) const {
   clock_.waitUntil(clock_.steadyNow_ns() + ns, leaves_);
+}
+
+void LearnerCore::tellHistory() {
+  const std::vector<HistoryRow>& rows = session_.history();
+  if (rows.size() == told_rows_) return;
+  told_rows_ = rows.size();
+  hexapod_repertoire::LearningHistory message;
+  message.header.stamp = clock_.rosNow();
+  message.run_id = run_id_;
+  for (const HistoryRow& row : rows) {
+    message.evaluations.push_back(row.evaluations);
+    message.sparseness_m.push_back(row.sparseness_m);
+    message.median_orientation_error_rad.push_back(row.median_orientation_error_rad);
+  }
+  audience_.tell(message);
 }
 
 void LearnerCore::tell(const LearningStatus& status) {

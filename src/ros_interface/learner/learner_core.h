@@ -1,11 +1,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "hexapod_repertoire/LearningHistory.h"
 #include "hexapod_repertoire/LearningProgress.h"
 #include "learning/learning_session.h"
 #include "learning/progress_display.h"
@@ -21,6 +23,8 @@ class LearnerAudience {
   /// The repertoire as it is now.
   virtual void show(const Repertoire& repertoire) = 0;
   virtual void tell(const hexapod_repertoire::LearningProgress& progress) = 0;
+  /// Whenever it has grown.
+  virtual void tell(const hexapod_repertoire::LearningHistory& history) = 0;
 };
 
 /// A LearningSession as a node has it, without the wire: what is told when, what ~save and ~pause
@@ -71,6 +75,7 @@ class LearnerCore {
   void onProgress();
   void waitWhilePaused();
   void tell(const LearningStatus& status);
+  void tellHistory();
   void complain(const std::string& problem);
   void retrySaving();
   bool isDue(Now& now, double period_s) const { return now.isDue(clock_.steadyNow_ns(), period_s); }
@@ -85,6 +90,7 @@ class LearnerCore {
   std::string run_id_;
   std::atomic<bool> paused_{false};
   std::atomic<bool> ended_{false};
+  std::size_t told_rows_ = 0;
   Now told_;
   Now shown_;
   Now complained_;

@@ -41,6 +41,8 @@ LearnerNode::LearnerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
       repertoire_publisher_(node, options.base_frame),
       progress_publisher_(
           private_node.advertise<hexapod_repertoire::LearningProgress>("progress", 1, true)),
+      history_publisher_(
+          private_node.advertise<hexapod_repertoire::LearningHistory>("history", 1, true)),
       save_(private_node.advertiseService("save", &LearnerNode::onSave, this)),
       pause_(private_node.advertiseService("pause", &LearnerNode::onPause, this)) {}
 
@@ -54,6 +56,10 @@ void LearnerNode::show(const Repertoire& repertoire) { repertoire_publisher_.pub
 
 void LearnerNode::tell(const hexapod_repertoire::LearningProgress& progress) {
   progress_publisher_.publish(progress);
+}
+
+void LearnerNode::tell(const hexapod_repertoire::LearningHistory& history) {
+  history_publisher_.publish(history);
 }
 
 bool LearnerNode::onSave(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {

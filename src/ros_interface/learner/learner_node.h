@@ -13,7 +13,7 @@
 
 namespace hexapod {
 
-/// A LearnerCore on ROS: repertoire and markers, ~progress, ~save and ~pause.
+/// A LearnerCore on ROS: repertoire and markers, ~progress, ~history, ~save and ~pause.
 class LearnerNode : private LearnerAudience {
  public:
   /// Throws as LearningSession does, and for a robot description that is missing or wrong.
@@ -27,6 +27,7 @@ class LearnerNode : private LearnerAudience {
  private:
   void show(const Repertoire& repertoire) override;
   void tell(const hexapod_repertoire::LearningProgress& progress) override;
+  void tell(const hexapod_repertoire::LearningHistory& history) override;
   bool onSave(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
@@ -34,6 +35,7 @@ class LearnerNode : private LearnerAudience {
   LearnerCore core_;
   RepertoirePublisher repertoire_publisher_;
   ros::Publisher progress_publisher_;
+  ros::Publisher history_publisher_;
   ros::ServiceServer save_;
   ros::ServiceServer pause_;
 };

@@ -1,11 +1,17 @@
 #include "ros_interface/panel/panel.h"
 
+#include <rviz/visualization_manager.h>
+
 #include <QCoreApplication>
 #include <QEvent>
 #include <QHeaderView>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <pluginlib/class_list_macros.hpp>
 #include <utility>
+
+#include "repertoire/describe_entry.h"
+#include "ros_interface/common/names.h"
 
 namespace hexapod {
 namespace {
@@ -73,6 +79,23 @@ Panel::Panel(QWidget* parent)
 }
 
 Panel::~Panel() = default;
+
+void Panel::onInitialize() {
+  pointer_ = std::make_unique<PointerWatch>(
+      *vis_manager_, *vis_manager_->getRenderPanel(), names::kRepertoireOriginFrame,
+      [this](const std::optional<PointerWatch::Place>& place) { point(place); });
+}
+
+/// Tells of the entry below the mouse.
+void Panel::point(const std::optional<PointerWatch::Place>& place) {
+  const auto entry = place ? model_.entryAt(place->x_m, place->y_m) : std::nullopt;
+  if (!entry) {
+    QToolTip::hideText();
+    return;
+  }
+  link_->publishPointer(place->x_m, place->y_m);
+  QToolTip::showText(place->on_screen, QString::fromStdString(describe(*entry)));
+}
 
 bool Panel::event(QEvent* event) {
   if (event->type() != Posted::kind()) return rviz::Panel::event(event);

@@ -1,5 +1,6 @@
 #include "ros_interface/panel/panel_link.h"
 
+#include <geometry_msgs/PointStamped.h>
 #include <ros/service.h>
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
@@ -63,11 +64,13 @@ PanelLink::PanelLink(const ros::NodeHandle& node, PanelModel& model, Panel panel
   node_.setCallbackQueue(&topics_);
   filter_publisher_ =
       node_.advertise<hexapod_repertoire::RepertoireFilter>(names::kRepertoireFilter, 1, true);
+  pointer_publisher_ = node_.advertise<geometry_msgs::PointStamped>(names::kRepertoirePointer, 1);
   progress_ = listen("learner/progress", &PanelModel::hearProgress);
   executor_ = listen(names::kExecutorState, &PanelModel::hearExecutor);
   plan_ = listen("planner/walk_summary", &PanelModel::hearSummary);
   handles_ = listen("browser/step_report", &PanelModel::hearPlayed);
-  others_ = {listen("planner/step_report", &PanelModel::hearStep),
+  others_ = {listen("learner/history", &PanelModel::hearHistory),
+             listen("planner/step_report", &PanelModel::hearStep),
              listen(names::kBodyBelief, &PanelModel::hearBelief),
              listen(names::kRepertoire, &PanelModel::hearRepertoire),
              listen("/diagnostics", &PanelModel::hearDiagnostics)};
@@ -144,6 +147,15 @@ void PanelLink::publishFilter(const EntryFilter& filter) {
   message.max_orientation_error_rad = orAny(filter.max_orientation_error_rad);
   message.max_spread_m = orAny(filter.max_spread_m);
   filter_publisher_.publish(message);
+}
+
+void PanelLink::publishPointer(double x_m, double y_m) {
+  geometry_msgs::PointStamped place;
+  place.header.frame_id = names::kRepertoireOriginFrame;
+  place.header.stamp = ros::Time::now();
+  place.point.x = x_m;
+  place.point.y = y_m;
+  pointer_publisher_.publish(place);
 }
 
 void PanelLink::lookAround() {

@@ -41,6 +41,8 @@ class PanelLink {
   void load(const std::string& file);
   void choose(std::int64_t entry_id, bool play);
   void publishFilter(const EntryFilter& filter);
+  /// Where the mouse is, in the frame of the repertoire's origin [m].
+  void publishPointer(double x_m, double y_m);
   /// Tells the model who is here. To be called every now and then.
   void lookAround();
 
@@ -56,6 +58,7 @@ class PanelLink {
   ros::CallbackQueue calls_;
   ros::NodeHandle node_;
   ros::Publisher filter_publisher_;
+  ros::Publisher pointer_publisher_;
   ros::Subscriber progress_;
   ros::Subscriber executor_;
   ros::Subscriber plan_;

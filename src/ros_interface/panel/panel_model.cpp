@@ -1,9 +1,13 @@
 #include "ros_interface/panel/panel_model.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "common/text.h"
+#include "repertoire/entry_choice.h"
 #include "ros_interface/common/conversions.h"
 
 namespace hexapod {
@@ -12,6 +16,8 @@ namespace {
 using hexapod_repertoire::ExecutorState;
 
 constexpr double kDegrees = 180.0 / M_PI;
+// The mouse means an entry no farther away than this.
+constexpr double kHoverReach_m = 0.03;
 constexpr char kPaused[] = "paused";
 constexpr char kDone[] = "done";
 
@@ -56,14 +62,34 @@ PanelModel::NodeLine absent(const std::string& name, const std::string& reason) 
 }  // namespace
 
 void PanelModel::hearProgress(const hexapod_repertoire::LearningProgress& progress) {
-  const bool begins = !progress_ || progress_->run_id != progress.run_id;
-  if (begins) curve_.clear();
+  followRun(progress.run_id);
   progress_ = progress;
   const auto evaluations = static_cast<double>(progress.evaluations);
   if (progress.archive_size == 0) return;
   if (!curve_.empty() && evaluations <= curve_.back().evaluations) return;
   curve_.push_back({evaluations, 100.0 * progress.sparseness_m,
                     kDegrees * progress.median_orientation_error_rad});
+}
+
+void PanelModel::hearHistory(const hexapod_repertoire::LearningHistory& history) {
+  followRun(history.run_id);
+  const std::size_t rows = std::min({history.evaluations.size(), history.sparseness_m.size(),
+                                     history.median_orientation_error_rad.size()});
+  std::vector<CurvePoint> curve;
+  for (std::size_t i = 0; i < rows; ++i) {
+    curve.push_back({static_cast<double>(history.evaluations[i]), 100.0 * history.sparseness_m[i],
+                     kDegrees * history.median_orientation_error_rad[i]});
+  }
+  const double known = curve.empty() ? -1.0 : curve.back().evaluations;
+  std::copy_if(curve_.begin(), curve_.end(), std::back_inserter(curve),
+               [known](const CurvePoint& point) { return point.evaluations > known; });
+  curve_ = std::move(curve);
+}
+
+void PanelModel::followRun(const std::string& run_id) {
+  if (run_id == run_id_) return;
+  run_id_ = run_id;
+  curve_.clear();
 }
 
 void PanelModel::hearSummary(const hexapod_repertoire::WalkSummary& summary) {
@@ -155,6 +181,15 @@ std::string PanelModel::repertoireSentence() const {
                      repertoire_.run_id;
   if (!repertoire_.body().empty()) text += ", learned for this body: " + repertoire_.body();
   return text + ".";
+}
+
+std::optional<Entry> PanelModel::entryAt(double x_m, double y_m) const {
+  std::vector<Entry> passed;
+  std::copy_if(repertoire_.entries.begin(), repertoire_.entries.end(), std::back_inserter(passed),
+               [this](const Entry& entry) { return filter_.passes(entry); });
+  const auto found = entryNear(passed, x_m, y_m, kHoverReach_m);
+  if (!found) return std::nullopt;
+  return passed[*found];
 }
 
 std::vector<PanelModel::EntryLine> PanelModel::entries() const {

@@ -10,6 +10,7 @@
 
 #include "hexapod_repertoire/BodyBelief.h"
 #include "hexapod_repertoire/ExecutorState.h"
+#include "hexapod_repertoire/LearningHistory.h"
 #include "hexapod_repertoire/LearningProgress.h"
 #include "hexapod_repertoire/Repertoire.h"
 #include "hexapod_repertoire/StepReport.h"
@@ -55,6 +56,8 @@ class PanelModel {
   };
 
   void hearProgress(const hexapod_repertoire::LearningProgress& progress);
+  /// Of what was before the panel came.
+  void hearHistory(const hexapod_repertoire::LearningHistory& history);
   void hearExecutor(const hexapod_repertoire::ExecutorState& state) { executor_ = state; }
   void hearBelief(const hexapod_repertoire::BodyBelief& belief) { belief_ = belief.sentence; }
   void hearSummary(const hexapod_repertoire::WalkSummary& summary);
@@ -71,18 +74,23 @@ class PanelModel {
   /// False while nobody would do it, or it would change nothing.
   bool offers(Ask ask) const;
 
-  /// Since the run began or the panel came, evaluations growing.
+  /// Of the run so far, evaluations growing.
   const std::vector<CurvePoint>& curve() const { return curve_; }
   std::string learningSentence() const;
   std::string walkingSentence() const;
   std::string repertoireSentence() const;
   /// Entries that pass the filter, by id.
   std::vector<EntryLine> entries() const;
+  /// The entry of entries() that is expected to end at a place in the frame of the start [m], or
+  /// near it.
+  std::optional<Entry> entryAt(double x_m, double y_m) const;
   /// Grows whenever entries() may have changed.
   int entriesRevision() const { return entries_revision_; }
   std::vector<NodeLine> nodes() const;
 
  private:
+  /// The curve begins anew with another run.
+  void followRun(const std::string& run_id);
   NodeLine learnerLine() const;
   NodeLine executorLine() const;
   NodeLine plannerLine() const;
@@ -90,6 +98,7 @@ class PanelModel {
 
   Presence presence_;
   std::optional<hexapod_repertoire::LearningProgress> progress_;
+  std::string run_id_;  // of the curve
   std::vector<CurvePoint> curve_;
   std::optional<hexapod_repertoire::ExecutorState> executor_;
   std::string belief_;

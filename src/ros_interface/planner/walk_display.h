@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ros_interface/common/clock.h"
-#include "ros_interface/display/markers.h"
+#include "ros_interface/display/plan_markers.h"
 #include "ros_interface/planner/walk_watcher.h"
 
 namespace hexapod {

@@ -8,7 +8,7 @@
 #include "robot/load_robot.h"
 #include "ros_interface/display/entry_markers.h"
 #include "ros_interface/display/gait_markers.h"
-#include "ros_interface/display/markers.h"
+#include "ros_interface/display/repertoire_markers.h"
 #include "ros_interface/display/scene_markers.h"
 
 namespace hexapod {

@@ -1,8 +1,9 @@
-#include "ros_interface/display/markers.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
+
+#include "ros_interface/display/plan_markers.h"
+#include "ros_interface/display/repertoire_markers.h"
 
 namespace hexapod {
 namespace {
@@ -14,7 +15,9 @@ void expectDrawable(const visualization_msgs::MarkerArray& array) {
   for (const Marker& marker : array.markers) {
     if (marker.action == Marker::DELETE || marker.type == Marker::ARROW) continue;
     EXPECT_GE(marker.points.size(), marker.type == Marker::LINE_STRIP ? 2u : 1u) << marker.ns;
-    EXPECT_TRUE(marker.colors.empty() || marker.colors.size() == marker.points.size());
+    const std::size_t corners = marker.type == Marker::TRIANGLE_LIST ? 3u : 1u;
+    EXPECT_EQ(marker.points.size() % corners, 0u);
+    EXPECT_TRUE(marker.colors.empty() || marker.colors.size() == marker.points.size() / corners);
     EXPECT_NEAR(marker.pose.orientation.w, 1.0, 1e-12);
     EXPECT_GT(marker.scale.x, 0.0);
   }
@@ -27,7 +30,7 @@ TEST(RepertoireMarkers, AreThreeListsWhateverTheNumberOfEntries) {
     const auto array = repertoireMarkers(repertoire, "odom");
     ASSERT_EQ(array.markers.size(), 3u);
     expectDrawable(array);
-    EXPECT_EQ(array.markers[0].points.size(), count);
+    EXPECT_EQ(array.markers[0].points.size(), 6u * count) << "two triangles each";
   }
 }
 
@@ -37,8 +40,19 @@ TEST(RepertoireMarkers, ShowWhatFellInGrey) {
   repertoire.entries[1].execution = Execution{{0.1, 0.0, 0.0}, 0.0, 0.0, 8, 3};
   const auto points = repertoireMarkers(repertoire, "odom").markers[0];
   EXPECT_GT(points.colors[0].g, points.colors[0].r);
-  EXPECT_EQ(points.colors[1].r, points.colors[1].g);
-  EXPECT_EQ(points.colors[1].g, points.colors[1].b);
+  EXPECT_EQ(points.colors[2].r, points.colors[2].g) << "the first triangle of the second";
+  EXPECT_EQ(points.colors[2].g, points.colors[2].b);
+}
+
+TEST(RepertoireMarkers, AreSmallerWhereThereAreManySoThatNoneHidesTheOthers) {
+  const auto widthOfDisc = [](std::size_t count) {
+    Repertoire repertoire;
+    repertoire.entries.assign(count, Entry());
+    const auto corners = repertoireMarkers(repertoire, "odom").markers[0].points;
+    return corners[0].x - corners[3].x;
+  };
+  EXPECT_EQ(widthOfDisc(1), widthOfDisc(1999));
+  EXPECT_NEAR(widthOfDisc(7999), 0.5 * widthOfDisc(1), 1e-12);
 }
 
 double brightness(const std_msgs::ColorRGBA& color) {

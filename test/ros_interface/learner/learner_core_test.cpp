@@ -36,6 +36,10 @@ class LearnerCoreTest : public LearningFixture, public LearnerAudience {
     if (on_tell) on_tell(progress);
   }
 
+  void tell(const hexapod_repertoire::LearningHistory& history) override {
+    histories_.push_back(history);
+  }
+
   LearnerCore& core() {
     options_.learn = smallRun("gaits.db");
     core_ =
@@ -59,6 +63,7 @@ class LearnerCoreTest : public LearningFixture, public LearnerAudience {
   bool leaves_ = false;
   std::function<void(const Progress&)> on_tell;
   std::vector<Progress> told_;
+  std::vector<hexapod_repertoire::LearningHistory> histories_;
   std::vector<std::size_t> shown_;
 };
 
@@ -76,6 +81,28 @@ TEST_F(LearnerCoreTest, TellsHowFarItIsAndShowsTheRepertoireAtTheEnd) {
   EXPECT_NE(words.find(std::to_string(entries) + " entries in " + options_.learn.repertoire_file),
             std::string::npos);
   EXPECT_NE(words.find("./run walk repertoire_file:="), std::string::npos);
+}
+
+TEST_F(LearnerCoreTest, TellsTheHistoryThatIsInTheFileAndThatOfARunThatGoesOnAtOnce) {
+  EXPECT_EQ(core().run(), 0);
+  const Repertoire repertoire = loadRepertoire(options_.learn.repertoire_file);
+  ASSERT_FALSE(histories_.empty());
+  const auto told = histories_.back();
+  EXPECT_EQ(told.run_id, repertoire.run_id);
+  ASSERT_EQ(told.evaluations.size(), repertoire.history.size());
+  for (std::size_t i = 0; i < repertoire.history.size(); ++i) {
+    EXPECT_EQ(told.evaluations[i], repertoire.history[i].evaluations);
+    EXPECT_EQ(told.sparseness_m[i], repertoire.history[i].sparseness_m);
+    EXPECT_EQ(told.median_orientation_error_rad[i],
+              repertoire.history[i].median_orientation_error_rad);
+  }
+  histories_.clear();
+  options_.learn = smallRun("gaits.db");
+  options_.learn.resume = true;
+  core_.reset();
+  LearnerCore again(robot_, options_, clock_, *this, [] { return false; });
+  EXPECT_EQ(again.run(), 0);
+  EXPECT_EQ(histories_.at(0).evaluations, told.evaluations);
 }
 
 TEST_F(LearnerCoreTest, ShowsAGrowingRepertoireNoMoreOftenThanAsked) {

@@ -53,6 +53,49 @@ TEST(PanelModel, OffersStartWhilePausedAndPauseWhileLearningAndNeitherInTheEnd) 
   EXPECT_FALSE(model.offers(Ask::kSave));
 }
 
+TEST(PanelModel, ShowsTheCurveFromBeforeItCameWhetherItHearsOfThatFirstOrLast) {
+  hexapod_repertoire::LearningHistory history;
+  history.run_id = "run";
+  history.evaluations = {100, 200};
+  history.sparseness_m = {0.05, 0.03};
+  history.median_orientation_error_rad = {0.2, M_PI / 90.0};
+  for (const bool first : {true, false}) {
+    PanelModel model = withEverybody();
+    if (first) model.hearHistory(history);
+    model.hearProgress(progress(200, "evolving"));
+    model.hearProgress(progress(300, "evolving"));
+    if (!first) model.hearHistory(history);
+    ASSERT_EQ(model.curve().size(), 3u);
+    EXPECT_EQ(model.curve()[0].evaluations, 100.0);
+    EXPECT_NEAR(model.curve()[1].sparseness_cm, 3.0, 1e-9);
+    EXPECT_NEAR(model.curve()[1].error_deg, 2.0, 1e-9);
+    EXPECT_EQ(model.curve()[2].evaluations, 300.0);
+  }
+}
+
+TEST(PanelModel, ForgetsTheCurveOfAnotherRun) {
+  PanelModel model = withEverybody();
+  model.hearProgress(progress(200, "evolving"));
+  hexapod_repertoire::LearningHistory other;
+  other.run_id = "other";
+  model.hearHistory(other);
+  EXPECT_TRUE(model.curve().empty());
+}
+
+TEST(PanelModel, KnowsTheEntryBelowTheMouseUnlessTheFilterLeavesItOut) {
+  PanelModel model = withEverybody();
+  EXPECT_FALSE(model.entryAt(0.0, 0.0));
+  const Repertoire repertoire = sampleRepertoire(20);
+  model.hearRepertoire(toMsg(repertoire, ros::Time(1.0)));
+  const Entry& entry = repertoire.entries.at(3);
+  const Pose2& end = entry.expectedPose();
+  ASSERT_TRUE(model.entryAt(end.x_m, end.y_m));
+  EXPECT_EQ(model.entryAt(end.x_m, end.y_m)->id, entry.id);
+  EXPECT_FALSE(model.entryAt(100.0, 0.0));
+  model.setFilter({-1.0, -1.0});
+  EXPECT_FALSE(model.entryAt(end.x_m, end.y_m));
+}
+
 TEST(PanelModel, OffersArmWhenNothingIsSentAndSitWhenReadyAndStopAlways) {
   PanelModel model = withEverybody();
   for (const auto state : {ExecutorState::DISARMED, ExecutorState::STOPPED, ExecutorState::FAULT}) {

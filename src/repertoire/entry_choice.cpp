@@ -1,4 +1,4 @@
-#include "ros_interface/browser/entry_choice.h"
+#include "repertoire/entry_choice.h"
 
 #include <algorithm>
 #include <cmath>
