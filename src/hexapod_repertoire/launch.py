@@ -79,6 +79,7 @@ class Session(ROSLaunchParent, ProcessListener):
     """
 
     exit_code = INTERRUPTED  # unless a node ends it
+    is_ended_by_node = False
     last_words = ""
 
     def _start_pm(self) -> None:
@@ -114,7 +115,15 @@ class Session(ROSLaunchParent, ProcessListener):
         if self.exit_code != 0 and not said:
             said = f"{name} ended with exit code {self.exit_code}; its own words are above."
         self.last_words = said
+        self.is_ended_by_node = True
         self.pm.is_shutdown = True
+
+    def end_start(self) -> None:
+        """Ends what was started already, and waits for it."""
+        if self.pm is not None:
+            self.pm.shutdown()
+            self.pm.join()
+        self.shutdown()
 
 
 def colored(text: str, is_good: bool) -> str:
@@ -135,10 +144,12 @@ def run_session(launch_file: str, arguments: List[str]) -> int:
     )
     try:
         session.start()
+        session.spin()
     except RLException as error:
-        print(error, file=sys.stderr)
-        return 2
-    session.spin()
+        session.end_start()
+        if not session.is_ended_by_node:
+            print(error, file=sys.stderr)
+            return 2
     if session.last_words:
         print(colored(session.last_words, session.exit_code == 0), flush=True)
     return session.exit_code
@@ -153,15 +164,18 @@ def learned_file(launch_file: str, arguments: List[str]) -> str:
     return os.path.expanduser(param.value) if param else ""
 
 
-def draw_learned(file: str, since_s: float) -> None:
-    """Leaves a picture beside what was learned since then. It is no failure of the session when that
-    cannot be."""
+def tell_learned(file: str, since_s: float, code: int) -> None:
+    """Leaves a picture beside what was learned since then, and after Ctrl-C says where it is. It is no
+    failure of the session when there is no picture."""
     if not file or not newer_than(file, since_s):
         return
     try:
         print("Picture: " + leave_picture(file), flush=True)
     except (Unreadable, OSError) as problem:
         print(f"No picture was drawn: {problem}", file=sys.stderr)
+    if code == INTERRUPTED:
+        print(f"Saved in {file}. To walk with it: ./run walk repertoire_file:={file}; to go on with a run "
+              f"that was not done: ./run learn resume:=true repertoire_file:={file}", flush=True)
 
 
 def main(argv: List[str]) -> int:
@@ -192,7 +206,7 @@ def main(argv: List[str]) -> int:
         return 2
     begun_s = time.time()
     code = run_session(launch_file, arguments)
-    draw_learned(learned_file(launch_file, arguments), begun_s)
+    tell_learned(learned_file(launch_file, arguments), begun_s, code)
     return code
 
 

@@ -9,6 +9,9 @@ from roslaunch.arg_dump import get_args
 
 # Arguments that name a file end in one of these.
 FILE_ENDINGS = ("_file", "config", "joint_map")
+# Those that must be there before anything is started; a repertoire is looked for by its server.
+READ_FILES = ("config", "robot_config", "urdf_file", "executor_config", "planner_config",
+              "relay_config", "joint_map")
 HELP_WORDS = ("--help", "-h", "--ros-args")
 HELP_COLUMNS = 80
 
@@ -31,6 +34,9 @@ def problem_with(launch_file: str, arguments: List[str]) -> str:
             near = difflib.get_close_matches(name, known, n=1)
             hint = f"did you mean '{near[0]}'?" if near else f"it has: {', '.join(sorted(known))}."
             return f"{verb} has no argument '{name}'; {hint}"
+        path = os.path.abspath(os.path.expanduser(argument.partition(":=")[2]))
+        if name in READ_FILES and argument != f"{name}:=" and not os.path.isfile(path):
+            return f"{verb} reads {name}, and there is no file {path}."
         if name == "rviz" and "true" in argument.lower() and not os.environ.get("DISPLAY"):
             return ("rviz:=true needs a display, and DISPLAY is not set here. Leave it out, or run "
                     "rviz on a machine that has one, with ROS_MASTER_URI pointing here.")

@@ -1,5 +1,6 @@
 #include "tools/bench_options.h"
 
+#include "common/options_help.h"
 #include "tools/command_line.h"
 
 namespace hexapod {
@@ -37,7 +38,7 @@ std::string benchHelp() {
          "  bench\n"
          "  bench --agreement 10000\n"
          "  bench --learning 50000\n\n" +
-         describeOptions(declareOptions(options));
+         helpOn(declareOptions(options));
 }
 
 }  // namespace hexapod

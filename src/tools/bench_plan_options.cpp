@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "tools/command_line.h"
 
 namespace hexapod {
@@ -44,7 +45,7 @@ std::string benchPlanHelp() {
          "walks them as well. Times are those of the processor.\n\n"
          "  bench_plan --repertoire a.db\n"
          "  bench_plan --repertoire a.db --walks 200 --write results/planning.md\n\n" +
-         describeOptions(declareOptions(options));
+         helpOn(declareOptions(options));
 }
 
 }  // namespace hexapod

@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "repertoire/repertoire_file.h"
 #include "robot/load_robot.h"
 #include "tools/command_line.h"
@@ -79,7 +80,7 @@ int benchWalk(const std::vector<std::string>& words) {
                kCommandLine);
   if (options.help || options.file.empty()) {
     std::cout << "usage: bench_walk --file FILE.db [--name value ...]\n\n"
-              << describeOptions(declareOptions(options));
+              << helpOn(declareOptions(options));
     return options.help ? 0 : 2;
   }
   const RobotDescription robot = loadRobot(options.urdf, options.robot_config);

@@ -8,6 +8,7 @@
 
 #include "calibration/calibrated_robot.h"
 #include "calibration/choose_behaviors.h"
+#include "common/options_help.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/steadiness.h"
 #include "robot/load_robot.h"
@@ -187,7 +188,7 @@ std::string help() {
          "       calibrate --file FILE.db --plan PLAN.csv | --trials TRIALS.csv | --draws N\n\n"
          "Finds friction, servo gain, torque and mass of a robot from where some twenty of its\n"
          "behaviours end, and writes a YAML of the robot to learn with.\n\n" +
-         describeOptions(declareOptions(options));
+         helpOn(declareOptions(options));
 }
 
 int run(const std::vector<std::string>& words) {

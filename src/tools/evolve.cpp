@@ -128,7 +128,7 @@ int evolve(int argc, char** argv) {
   }
   const EvolveOptions options = optionsFor(arguments, *ranks);
   if (options.help) {
-    std::cout << evolveHelp();
+    std::cout << evolveHelp(options);
     return 0;
   }
   try {

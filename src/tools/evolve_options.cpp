@@ -3,6 +3,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "tools/command_line.h"
 #include "tools/learner_file.h"
 #include "tools/package_files.h"
@@ -58,10 +59,10 @@ EvolveOptions evolveOptionsFrom(const std::vector<std::string>& arguments) {
   const auto values = valuesFromCommandLine(arguments, declareOptions(options), kShortNames);
   // A first look, for what names the files that come before the command line.
   applyOptions(declareOptions(options), values, kCommandLine);
-  if (options.help) return options;
   if (options.preset != kNoPreset) applyFile(presetFile(packageFolder(), options.preset), options);
   if (!options.config.empty()) applyFile(options.config, options);
   applyOptions(declareOptions(options), values, kCommandLine);
+  if (options.help) return options;
   setToShipped(options.urdf, "urdf/hexapod.urdf");
   setToShipped(options.robot_config, "config/hexapod.yaml");
   if (options.learn.repertoire_file.empty()) {
@@ -72,22 +73,19 @@ EvolveOptions evolveOptionsFrom(const std::vector<std::string>& arguments) {
   return options;
 }
 
-std::string evolveHelp() {
-  EvolveOptions options;
+std::string evolveHelp(EvolveOptions options) {
   return "usage: evolve --file FILE.db [--name value ...]\n\n"
-         "Learns a repertoire of gaits, without ROS. Same options and seed, same repertoire as "
-         "the\n"
-         "node learner's. Ctrl-C saves and ends; --resume goes on.\n\n"
+         "Learns a repertoire of gaits, without ROS. Same options and seed, same\n"
+         "repertoire as the node learner's. Ctrl-C saves and ends; --resume goes on.\n\n"
          "  evolve --file gaits.db --evaluations 20000 --seed 3\n"
          "  evolve --file gaits.db --evaluations 50000 --seed 3 --resume\n"
-         "  evolve --file gaits.db --preset paper --novelty_threshold_m 0.05 --csv gaits.csv\n"
-         "  evolve --file gaits.db --seconds 60      (how far it gets depends on the machine)\n"
-         "  mpirun -n 8 evolve --file gaits.db --evaluations 1000000       (same result as "
-         "alone)\n\n"
-         "--file is short for --repertoire_file, --seconds for --time_budget_s. The preset's "
-         "options\n"
-         "come first, then those of --config, then these.\n\n" +
-         describeOptions(declareOptions(options));
+         "  evolve --file gaits.db --preset paper --novelty_threshold_m 0.05\n"
+         "  evolve --file gaits.db --seconds 60   (how far depends on the machine)\n"
+         "  mpirun -n 8 evolve --file gaits.db --evaluations 1000000   (same result)\n\n"
+         "--file is short for --repertoire_file, --seconds for --time_budget_s. The\n"
+         "preset's options come first, then those of --config, then these. In brackets:\n"
+         "the values with which it would begin.\n\n" +
+         helpOn(declareOptions(options));
 }
 
 }  // namespace hexapod

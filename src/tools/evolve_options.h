@@ -28,10 +28,11 @@ std::vector<Option> declareOptions(EvolveOptions& options);
 /// and robot_config are set to the shipped robot's when left empty.
 ///
 /// Throws std::invalid_argument with a sentence for every problem (see applyOptions), or
-/// std::runtime_error for a file that cannot be read. After --help nothing is read.
+/// std::runtime_error for a file that cannot be read. After --help neither file nor robot is looked
+/// for.
 EvolveOptions evolveOptionsFrom(const std::vector<std::string>& arguments);
 
-/// Usage and the table of all options.
-std::string evolveHelp();
+/// Usage, and all options with the values that they have in `options`.
+std::string evolveHelp(EvolveOptions options);
 
 }  // namespace hexapod

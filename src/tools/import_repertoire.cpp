@@ -5,6 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "repertoire/repertoire_writer.h"
 #include "tools/command_line.h"
 
@@ -34,7 +35,7 @@ std::string usage(Options& options) {
   return "usage: import_repertoire --from FILE.csv|FILE.mprim --file FILE.db [--name value ...]\n\n"
          "  import_repertoire --from steps.csv --file steps.db --length_unit cm --angle_unit "
          "deg\n\n" +
-         describeOptions(declareOptions(options));
+         helpOn(declareOptions(options));
 }
 
 int import(const std::vector<std::string>& arguments) {

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "robot_import/picture_data.h"
 #include "tools/command_line.h"
 #include "tools/text_file.h"
@@ -88,7 +89,7 @@ std::string help() {
   return "usage: import_robot my.urdf [--name value ...]\n\n"
          "Writes NAME.urdf and NAME.yaml for the learner, says what was changed and how the robot\n"
          "stands and walks. Exit code 3: written, but not ready to learn.\n\n" +
-         describeOptions(declareOptions(arguments));
+         helpOn(declareOptions(arguments));
 }
 
 int run(const std::vector<std::string>& words) {

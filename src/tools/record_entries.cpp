@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "common/text.h"
 #include "geometry/pose2.h"
 #include "repertoire/repertoire_file.h"
@@ -153,7 +154,7 @@ RecordOptions optionsFrom(const std::vector<std::string>& words) {
 int run(const std::vector<std::string>& words) {
   if (words.empty() || words[0].rfind('-', 0) == 0) {
     RecordOptions options;
-    std::cerr << kUsage << "\n" << describeOptions(declareOptions(options));
+    std::cerr << kUsage << "\n" << helpOn(declareOptions(options));
     return 2;
   }
   try {

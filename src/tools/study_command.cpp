@@ -7,6 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "learning/learn_options.h"
 #include "study/methods.h"
 #include "tools/command_line.h"
@@ -134,7 +135,7 @@ std::string studyHelp() {
          "  study --folder paper --runs 20 --evaluations 100000\n"
          "  mpirun -n 64 study --folder paper                    (on a file system they "
          "share)\n\n" +
-         describeOptions(declareOptions(command));
+         helpOn(declareOptions(command));
 }
 
 }  // namespace hexapod

@@ -60,11 +60,22 @@ def test_help_names_every_verb(arguments):
         assert f"\n  {verb} " in result.stdout
 
 
+@pytest.mark.parametrize("verb", ["test", "campaign", "check", "setup"])
+def test_help_on_a_verb_starts_nothing(checkout, verb):
+    result = run(checkout, verb, "--help", functions=NOTHING_INSTALLED + NO_ROOT)
+    assert result.returncode == 0 and result.stderr == ""
+    lines = result.stdout.splitlines()
+    assert lines[0] == f"usage: ./run {verb} [arguments]"
+    assert lines[1].startswith(f"  {verb} ")
+    assert all(line.startswith("      ") for line in lines[2:])
+
+
 def test_unknown_verb_is_refused_with_the_help():
     result = run(ROOT, "fly")
     assert result.returncode == 2
     assert "'fly'" in result.stderr and "usage:" in result.stderr
     assert result.stdout == ""
+    assert run(ROOT, "lern").stderr.endswith("there is no verb 'lern'; did you mean 'learn'?\n")
 
 
 @pytest.mark.parametrize("verb", ["setup", "demo", "evolve", "reproduce", "test", "bench"])

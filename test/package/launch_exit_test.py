@@ -49,6 +49,34 @@ def test_a_session_that_is_interrupted_says_so(tmp_path):
     assert "Traceback" not in output
 
 
+def is_alive(process_id):
+    try:
+        os.kill(process_id, 0)
+    except ProcessLookupError:
+        return False
+    return True
+
+
+def test_a_node_that_ends_the_session_while_others_are_started_leaves_none_of_them(tmp_path):
+    pytest.importorskip("roslaunch.parent")
+    script = tmp_path / "node.sh"
+    script.write_text(f"""#!/bin/sh
+echo $$ >>{tmp_path}/ids
+case $1 in exit-*) exit ${{1#exit-}} ;; esac
+exec sleep 60
+""")
+    script.chmod(0o755)
+    node = '<node name="{0}" pkg="rosout" type="rosout" launch-prefix="' + f'{script} {{1}}" {{2}}/>'
+    nodes = [node.format(f"waits{i}", "wait", "") for i in range(25)]
+    nodes.insert(3, node.format("required", "exit-3", 'required="true"'))
+    process = launch_text(tmp_path, "<launch>" + "".join(nodes) + "</launch>")
+    output, _ = process.communicate(timeout=60)
+    assert process.returncode == 3, output
+    started = [int(line) for line in (tmp_path / "ids").read_text().split()]
+    assert len(started) > 3
+    assert [one for one in started if is_alive(one)] == []
+
+
 def exit_code(tmp_path, fate, other, required):
     pytest.importorskip("roslaunch.parent")
     process = launch(tmp_path, fate, other, required)
@@ -68,14 +96,19 @@ touch {tmp_path}/ended
 case $1 in exit-*) exit ${{1#exit-}} ;; kill-*) kill -${{1#kill-}} $$ ;; esac
 """)
     script.chmod(0o755)
-    launch_file = tmp_path / "two.launch"
-    launch_file.write_text(LAUNCH.format(script=script, fate=fate))
+    return launch_text(tmp_path, LAUNCH.format(script=script, fate=fate),
+                       f"other:={other}", f"required:={required}")
+
+
+def launch_text(tmp_path, text, *arguments):
+    """The running launch of a launch file of this text."""
+    launch_file = tmp_path / "some.launch"
+    launch_file.write_text(text)
     environment = dict(os.environ, ROS_MASTER_URI=f"http://127.0.0.1:{free_port()}",
                        ROS_IP="127.0.0.1", ROS_HOME=str(tmp_path))
     # That of these sources: the package may be that of another build.
     environment["PYTHONPATH"] = os.pathsep.join([str(ROOT / "src"), *sys.path])
     return subprocess.Popen(
-        [sys.executable, "-m", "hexapod_repertoire.launch", str(launch_file),
-         f"other:={other}", f"required:={required}"],
+        [sys.executable, "-m", "hexapod_repertoire.launch", str(launch_file), *arguments],
         env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
         universal_newlines=True)

@@ -1,5 +1,6 @@
 """Every shipped launch file loads with its defaults, and says what its arguments mean."""
 import pathlib
+import sys
 import xml.etree.ElementTree as ElementTree
 
 import pytest
@@ -81,3 +82,15 @@ def test_whatever_is_wrong_with_the_simulated_robot_is_an_argument(file):
                                         None, verbose=False)
     found = {name: loaded.params[f"/simulated_robot/{name}"].value for name in wrong}
     assert found == wrong
+
+
+def test_a_file_that_is_to_be_read_and_is_not_there_is_named_before_anything_is_started(tmp_path):
+    pytest.importorskip("roslaunch.arg_dump")
+    sys.path.insert(0, str(ROOT / "src"))
+    from hexapod_repertoire.launch_arguments import problem_with
+    learn = str(ROOT / "launch" / "learn.launch")
+    missing = tmp_path / "none.yaml"
+    assert problem_with(learn, [f"config:={missing}"]) == (
+        f"learn reads config, and there is no file {missing}.")
+    missing.touch()
+    assert problem_with(learn, [f"config:={missing}", "repertoire_file:=new.db"]) == ""

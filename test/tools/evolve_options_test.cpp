@@ -103,7 +103,7 @@ TEST(EvolveOptions, RefusesWhatIsNoOption) {
 TEST(EvolveOptions, HelpIsGivenWhateverElseIsMissing) {
   EXPECT_TRUE(evolveOptionsFrom({"--help"}).help);
   EXPECT_TRUE(evolveOptionsFrom({"-h"}).help);
-  EXPECT_TRUE(mentions(evolveHelp(), "`population_size`"));
+  EXPECT_TRUE(mentions(evolveHelp(EvolveOptions()), "--population_size"));
 }
 
 }  // namespace

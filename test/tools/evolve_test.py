@@ -113,7 +113,9 @@ def test_help_has_a_line_for_every_option():
     result = evolve("--help")
     assert result.returncode == 0
     for name in ("seed", "resume", "csv", "novelty_threshold_m", "gait_duration_s"):
-        assert f"`{name}`" in result.stdout
+        assert f"\n  --{name}  [" in result.stdout
+    assert max(map(len, result.stdout.splitlines())) <= 80
+    assert "\n  --archive_parents  [0.8]" in result.stdout  # as in the preset
 
 
 def test_begins_with_the_entries_of_another_file_in_another_body(tmp_path):

@@ -82,6 +82,7 @@ int runNode(int argc, char** argv, const NodeMain& node) {
   watchEnd(node.saves);
   // Started here, ROS and its console outlive the body's node handles.
   ros::start();
+  ros::param::del("~last_words");  // of an earlier node of this name, at a master that stays
   const int code = runBody(node);
   // While its singletons live: a thread of ROS that outlives them aborts the process.
   ros::shutdown();
