@@ -26,7 +26,8 @@ check_shell() {
   shellcheck run .ci/run .ci/checks.sh
 }
 
-# The documents are a site without a broken link, and every command of the tutorial does what it says.
+# The documents are a site without a broken link, and every command of the tutorial and of how-to pages does
+# what it says.
 check_docs() {
   mkdocs build --quiet --strict && build all && /usr/bin/python3 doc/run_commands.py
 }

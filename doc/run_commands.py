@@ -1,7 +1,9 @@
-"""Runs every command of the tutorial as it stands there, in order, in a folder of its own.
+"""Runs the commands of the tutorial and of how-to pages as they stand there, in order, each page in a
+folder of its own; the arguments name some of the pages.
 
-A block that is marked as a session goes on in the background until the end. Each command must end with
-exit code 0. Takes some minutes.
+A block that is marked as a session goes on in the background until the end of its page. One that is
+marked `long` or `robot` takes hours or a robot, and is not run. Each command must end with exit code 0.
+In the folder is what is in a checkout, and but for the tutorial a repertoire a.db. Takes some minutes.
 """
 import os
 import pathlib
@@ -16,6 +18,9 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 BLOCK = re.compile(r"```sh( session)?\n(.*?)```", re.DOTALL)
 READY_S, COMMAND_S = 180, 600
+PAGES = ("tutorial", "using", "nodes", "own_robot", "calibration")
+CHECKOUT = ("run", "config", "urdf", "launch")
+PREPARE = "./run evolve --file a.db --evaluations 20000 --seed 1"
 
 
 def commands(text):
@@ -40,7 +45,8 @@ class Terminal:
     """Runs commands in one folder, against one ROS master."""
 
     def __init__(self, folder):
-        os.symlink(ROOT / "run", pathlib.Path(folder) / "run")
+        for name in CHECKOUT:
+            os.symlink(ROOT / name, pathlib.Path(folder) / name)
         self._folder = folder
         self._environment = {**os.environ, "HOME": folder, "CI": os.environ.get("CI", "true"),
                              "ROS_MASTER_URI": f"http://127.0.0.1:{free_port()}",
@@ -78,23 +84,34 @@ class Terminal:
             session.wait()
 
 
-def main():
-    """Returns the exit code."""
+def run_page(page):
+    """Runs the commands of a page; returns the one that failed, or None."""
     with tempfile.TemporaryDirectory() as folder:
         terminal = Terminal(folder)
         try:
-            for is_session, command in commands((ROOT / "doc/tutorial.md").read_text("utf-8")):
+            if page != "tutorial" and terminal.run(PREPARE) != 0:
+                return PREPARE
+            for is_session, command in commands((ROOT / f"doc/{page}.md").read_text("utf-8")):
                 print(f"$ {command}", flush=True)
                 if is_session:
                     terminal.begin(command)
                 elif terminal.run(command) != 0:
-                    print(f"This failed: {command}", file=sys.stderr)
-                    return 1
+                    return command
         finally:
             terminal.end()
-    print("Every command of doc/tutorial.md does what it says.")
+    return None
+
+
+def main(pages):
+    """Returns the exit code."""
+    for page in pages or PAGES:
+        failed = run_page(page)
+        if failed:
+            print(f"This failed, in doc/{page}.md: {failed}", file=sys.stderr)
+            return 1
+        print(f"Every command of doc/{page}.md does what it says.", flush=True)
     return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(main(sys.argv[1:]))

@@ -27,7 +27,7 @@ figcaption { font-weight: bold; overflow-wrap: anywhere; }
 .heading { stroke: #1a5fb4; stroke-width: 1; } .tangent { stroke: #999; stroke-dasharray: 2 2; }
 circle { stroke: #333; stroke-width: 0.3; } circle:hover { stroke: #e01b24; stroke-width: 2.5; }
 .wide { overflow-x: auto; } table { border-collapse: collapse; }
-th, td { padding: 0.2rem 0.7rem; border-bottom: 1px solid #ddd; text-align: right; }
+td { overflow-wrap: anywhere; } th, td { padding: 0.2rem 0.5rem; border-bottom: 1px solid #ddd; text-align: right; }
 th:first-child, td:first-child { text-align: left; }
 """
 
@@ -50,8 +50,8 @@ MEASURES: Sequence[Tuple[str, Callable[[Stored], str]]] = (
     ("seed", lambda s: s.meta.get("seed", "not known")),
     ("time", lambda s: _last(s, "elapsed_s", 1.0, "s")),
     ("sparseness where it learned", lambda s: _last(s, "sparseness_m", 100.0, "cm")),
-    ("orientation error where it learned, median",
-     lambda s: _median(s.entries["orientation_error_rad"], DEGREES, "deg")),
+    ("orientation error there, in the region of interest",
+     lambda s: _last(s, "median_orientation_error_rad", DEGREES, "deg")),
     ("farthest entry", lambda s: f"{np.linalg.norm(s.positions_m, axis=1).max(initial=0):.2f} m"),
     ("spread of trials, median", lambda s: _median(s.entries["spread_m"], 100.0, "cm")),
     ("shift of trials, median", lambda s: _median(s.shift_m, 100.0, "cm")),
@@ -187,12 +187,14 @@ def compared(stored: Sequence[Stored]) -> str:
 
 def main(argv: List[str]) -> int:
     """Writes the page about the files argv names; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="./run report", description=__doc__)
+    verb = "compare" if "--compare" in argv else "report"
+    parser = argparse.ArgumentParser(prog=f"./run {verb}", description=__doc__)
     parser.add_argument("files", nargs="+", metavar="FILE.db", help="repertoires")
     parser.add_argument("--output", help="the page [the first file with .html instead of .db]")
     parser.add_argument("--walk", action="append", default=[], metavar="LOG.csv",
                         help="a walk to tell of, too: ./run go 1.0 0.5 45 --log LOG.csv")
-    parser.add_argument("--compare", action="store_true", help="print the measures as well")
+    parser.add_argument("--compare", action="store_true",
+                        help="print the measures as well; what the verb compare does")
     parser.add_argument("--programs", type=pathlib.Path, help=argparse.SUPPRESS)
     arguments = parser.parse_args(argv)
     try:

@@ -44,6 +44,27 @@ def test_every_page_is_in_the_site_and_every_verb_in_the_reference():
     assert [verb for verb in verbs if not re.search(rf"\b{verb}\b", reference)] == []
 
 
+def calls_of_the_front_door():
+    """(page, verb, names of launch arguments, where there are) of each `./run ...` in the documents."""
+    for document in DOCUMENTS:
+        text = document.read_text(encoding="utf-8").replace("\\\n", " ")
+        for verb, rest in re.findall(r"\./run ([a-z_]+)([^`\n#]*)", text):
+            yield document.name, verb, re.findall(r"(?<![\w\"'])([a-z_]+):=", rest)
+
+
+def test_what_the_documents_say_to_the_front_door_it_knows():
+    roslaunch = pytest.importorskip("roslaunch.arg_dump")
+    verbs = set(re.findall(r"^  (\w+) +[a-z]", (ROOT / "run").read_text(encoding="utf-8")
+                           .partition("examples")[0], re.MULTILINE))
+    arguments = {file.stem: set(roslaunch.get_args([str(file)]))
+                 for file in (ROOT / "launch").glob("*.launch") if file.stem in verbs}
+    calls = list(calls_of_the_front_door())
+    assert len(calls) > 50 and len(arguments) >= 4
+    assert [call for call in calls if call[1] not in verbs] == []
+    assert [(page, verb, name) for page, verb, names in calls for name in names
+            if verb in arguments and name not in arguments[verb]] == []
+
+
 def test_commands_of_the_tutorial_are_found_whole():
     sys.path.insert(0, str(ROOT / "doc"))
     import run_commands  # pylint: disable=import-outside-toplevel
