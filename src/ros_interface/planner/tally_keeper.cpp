@@ -19,7 +19,7 @@ void TallyKeeper::notePlan(const PlanResult& plan) {
 }
 
 void TallyKeeper::noteStep(const Pose2& predicted, const Pose2& measured) {
-  const double share = 1.0 / ++behaviors_;
+  const double share = 1.0 / ++tally_.measured;
   tally_.xy_error_m += share * (distance(predicted, measured) - tally_.xy_error_m);
   tally_.yaw_error_rad += share * (headingDistance(predicted, measured) - tally_.yaw_error_rad);
 }

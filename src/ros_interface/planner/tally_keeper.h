@@ -17,7 +17,7 @@ class TallyKeeper {
   /// The walk begins. The clock must outlive it.
   explicit TallyKeeper(const Clock& clock) : clock_(clock), begin_ns_(clock.robotNow_ns()) {}
 
-  /// Where the robot has come to rest.
+  /// Where the robot is after a behaviour.
   void noteRest(const Pose2& robot);
   /// What the plan made there says.
   void notePlan(const PlanResult& plan);
@@ -35,7 +35,6 @@ class TallyKeeper {
   std::vector<std::size_t> expected_;  // entries left of the last plan
   bool has_plan_ = false;
   std::optional<Pose2> rest_;
-  double behaviors_ = 0.0;  // that errors are known of
 };
 
 }  // namespace hexapod

@@ -33,7 +33,11 @@ Pose2 poseAfter(const Twist& twist, double duration_s, const Planner& planner, d
 
 TwistWalk::TwistWalk(const WalkMeans& means, OpenGoal& goal,
                      std::shared_ptr<const AdaptivePlanner> planner)
-    : means_(means), goal_(goal), planner_(std::move(planner)), obstacles_(means.obstacles) {}
+    : means_(means),
+      goal_(goal),
+      planner_(std::move(planner)),
+      obstacles_(means.obstacles),
+      tally_(means.clock) {}
 
 WalkReport TwistWalk::run() {
   awaitRest();
@@ -122,25 +126,31 @@ void TwistWalk::play(const PlannedStep& step) {
   }
   ++report_.steps;
   if (touches) return awaitRest();
-  noteRest(result.finished);
+  noteEnd(result.finished);
 }
 
 void TwistWalk::awaitRest() {
   const auto ready = means_.player.awaitReady(goal_.stops, [this] { return isOver(); });
   if (ready.end == BehaviorPlayer::End::kPlayed) {
-    noteRest(ready.finished);
+    noteEnd(ready.finished);
   } else if (!isOver()) {
     end(codeOf(ready.end), "The walk by velocity ended: " + ready.message);
   }
 }
 
-void TwistWalk::noteRest(const ros::Time& last_command) {
+/// Of a behaviour, or of the way back from one.
+void TwistWalk::noteEnd(const ros::Time& last_command) {
   rest_ = last_command + ros::Duration(means_.options.pose.pose_settle_s);
+  const PoseReading robot = means_.poses.latest();
+  if (robot.pose) tally_.noteRest(*robot.pose);
+  report_.tally = tally_.tally();
+  goal_.note(report_);
 }
 
 void TwistWalk::end(std::uint8_t code, const std::string& message) {
   report_.code = code;
   report_.message = message;
+  report_.tally = tally_.tally();
   has_ended_ = true;
 }
 

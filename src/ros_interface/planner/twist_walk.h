@@ -6,6 +6,7 @@
 #include "planning/adaptive_planner.h"
 #include "ros_interface/planner/obstacle_watch.h"
 #include "ros_interface/planner/open_goal.h"
+#include "ros_interface/planner/tally_keeper.h"
 #include "ros_interface/planner/walk_means.h"
 
 namespace hexapod {
@@ -40,7 +41,7 @@ class TwistWalk {
   void play(const PlannedStep& step);
   /// Until the robot stands.
   void awaitRest();
-  void noteRest(const ros::Time& last_command);
+  void noteEnd(const ros::Time& last_command);
   bool isOver() const { return goal_.ended() || !goal_.request.twist(); }
   void end(std::uint8_t code, const std::string& message);
 
@@ -48,6 +49,7 @@ class TwistWalk {
   OpenGoal& goal_;
   const std::shared_ptr<const AdaptivePlanner> planner_;
   ObstacleWatch obstacles_;
+  TallyKeeper tally_;
   WalkReport report_;
   bool has_ended_ = false;
   bool told_ = false;  // that it stands

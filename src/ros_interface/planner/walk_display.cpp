@@ -29,15 +29,22 @@ bool looksForPoses(PlanCode code) {
          code != PlanCode::kStartOccupied;
 }
 
+/// "1 time", "2 times".
+std::string counted(std::uint32_t count, const std::string& what) {
+  return std::to_string(count) + " " + what + (count == 1 ? "" : "s");
+}
+
 /// A walk in one line.
 std::string describe(const WalkReport& report) {
   const WalkTally& tally = report.tally;
-  std::string line = std::to_string(report.steps) + " behaviours in " +
-                     fixedText(tally.duration_s, 1) + " s, " + fixedText(tally.distance_m, 2) +
-                     " m, " + fixedText(100.0 * tally.xy_error_m, 1) + " cm and " +
-                     fixedText(tally.yaw_error_rad * 180.0 / M_PI, 1) +
-                     " deg from their predictions in the mean, planned otherwise " +
-                     std::to_string(tally.replans) + " times";
+  std::string line = counted(report.steps, "behaviour") + " in " + fixedText(tally.duration_s, 1) +
+                     " s, " + fixedText(tally.distance_m, 2) + " m";
+  if (tally.measured > 0) {
+    line += ", " + fixedText(100.0 * tally.xy_error_m, 1) + " cm and " +
+            fixedText(tally.yaw_error_rad * 180.0 / M_PI, 1) +
+            " deg from what was predicted in the mean, planned otherwise " +
+            counted(tally.replans, "time");
+  }
   if (std::isfinite(tally.clearance_m)) {
     line += ", at least " + fixedText(tally.clearance_m, 2) + " m beyond the margin to obstacles";
   }

@@ -68,8 +68,9 @@ struct WalkGoal {
 struct WalkTally {
   std::uint32_t replans = 0;  ///< plans that were not what was left of the one before
   double duration_s = 0.0;
-  double distance_m = 0.0;  ///< walked, between the poses measured at rest
-  double xy_error_m = 0.0;  ///< mean over its behaviours, from their predictions
+  double distance_m = 0.0;     ///< walked, between the poses measured at rest
+  std::uint32_t measured = 0;  ///< behaviours whose ends were predicted, and measured at rest
+  double xy_error_m = 0.0;     ///< mean over those, from their predictions
   double yaw_error_rad = 0.0;
   double clearance_m = std::numeric_limits<double>::infinity();  ///< least, at measured poses
 };

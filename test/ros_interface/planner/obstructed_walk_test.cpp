@@ -225,7 +225,10 @@ TEST_F(VelocityAmongObstacles, IsWalkedUpToThemWhichIsToldOnceAndOnWhenTheyAreGo
   show(nullptr);
   while (robot().x_m < 2.5) std::this_thread::yield();
   twist_.become(std::nullopt);
-  EXPECT_EQ(client_.waitForEnd().code, GoalCode::SUCCEEDED);
+  const WalkReport report = client_.waitForEnd();
+  EXPECT_EQ(report.code, GoalCode::SUCCEEDED);
+  EXPECT_GT(report.tally.distance_m, 2.4);
+  EXPECT_EQ(report.tally.measured, 0u);
   EXPECT_EQ(watcher_.standing, 1);
 }
 

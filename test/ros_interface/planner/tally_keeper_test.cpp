@@ -30,6 +30,7 @@ TEST(TallyKeeper, AddsUpAWalk) {
   const WalkTally tally = keeper.tally();
   EXPECT_NEAR(tally.duration_s, 8.0, 1e-9);
   EXPECT_NEAR(tally.distance_m, 0.5 + 0.5, 1e-12);
+  EXPECT_EQ(tally.measured, 2u);
   EXPECT_NEAR(tally.xy_error_m, (0.04 + 0.02) / 2.0, 1e-12);
   EXPECT_NEAR(tally.yaw_error_rad, (0.1 + 0.3) / 2.0, 1e-12);
   EXPECT_EQ(tally.clearance_m, 0.1);
