@@ -1,10 +1,12 @@
 #include "planning/adaptive_planner.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
 #include "planning/deviation.h"
+#include "planning/move.h"
 #include "planning/plan_messages.h"
 
 namespace hexapod {
@@ -84,6 +86,16 @@ AdaptivePlanner::AdaptivePlanner(const AdaptivePlanner& like, std::shared_ptr<Fo
   if (!planner_) rebuild();
 }
 
+double AdaptivePlanner::reach_m() const {
+  double reach_m = 0.0;
+  for (const Entry& entry : repertoire_->entries) {
+    const Pose2 end = entry.expectedPose();
+    const double way_m = std::hypot(end.x_m, end.y_m);
+    if (std::isfinite(way_m)) reach_m = std::max(reach_m, way_m);
+  }
+  return reach_m;
+}
+
 std::shared_ptr<const Planner> AdaptivePlanner::planner() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return planner_;
@@ -91,6 +103,9 @@ std::shared_ptr<const Planner> AdaptivePlanner::planner() const {
 
 PlanResult AdaptivePlanner::planDrifting(const Planner& planner, const PlanRequest& request) const {
   PlanResult result = planner.plan(request);
+  if (result.code == PlanCode::kNoRepertoire && !usableMoves(*repertoire_, options_).empty()) {
+    result.message = nothingWalks(repertoire_->entries.size());
+  }
   const Eigen::Vector2d drift_m =
       foresight_ ? foresight_->drift_m() : Eigen::Vector2d(Eigen::Vector2d::Zero());
   if (drift_m.norm() < kNoDrift_m) return result;

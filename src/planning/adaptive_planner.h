@@ -30,6 +30,9 @@ class AdaptivePlanner {
 
   const Repertoire& repertoire() const { return *repertoire_; }
 
+  /// How far the farthest entry leads by the repertoire's own word [m].
+  double reach_m() const;
+
   /// Plans along these paths from now on. Takes some 50 ms.
   void setPaths(EntryPaths paths);
 

@@ -117,6 +117,13 @@ std::string noRepertoire(std::size_t entries) {
          "move, or has no finite end pose. Learn another one.";
 }
 
+std::string nothingWalks(std::size_t entries) {
+  return "None of the " + std::to_string(entries) +
+         " entries of the repertoire is expected to walk any more, with the body that the robot is "
+         "believed to have (topic body_belief). Stand it up and repair it, and where the belief is "
+         "wrong then, call ~reset_belief of the planner.";
+}
+
 std::string describe(const PlanResult& result, const PlanRequest& request,
                      const PlannerOptions& options) {
   if (result.code == PlanCode::kAlreadyThere) {

@@ -33,7 +33,7 @@ std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, Walk
   if (!expected_) return std::nullopt;
   const double moved = distance(before_, world_from_robot);
   const double deviation = extent(expected_->world_from_end, world_from_robot);
-  if (moved > options_.jump_reaches * planner_->planner()->reach_m()) {
+  if (moved > options_.jump_reaches * planner_->reach_m()) {
     state = WalkState::kPoseLost;
     return "The measured pose jumped from " + poseText(before_) + " to " +
            poseText(world_from_robot) +

@@ -30,6 +30,7 @@ struct BelievedBody {
   BodyMatrix covariance = BodyMatrix::Zero();
   double log_prior = 0.0;
   double log_weight = 0.0;  ///< 0 for the most likely body
+  WorldState stand;         ///< in which it comes to rest in the neutral pose
   WorldState state;  ///< in which it is thought to stand: footprint at the origin, its heading
   Eigen::Matrix3d scatter = Eigen::Matrix3d::Zero();  ///< of its predictions, by the covariance
 

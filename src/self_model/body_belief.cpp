@@ -88,7 +88,7 @@ void BodyBelief::add(const std::vector<std::vector<LegState>>& bodies, double lo
     body.covariance = priorCovariance(share_);
     body.scatter = priorScatter(share_);
     body.log_prior = body.log_weight = log_prior;
-    body.state = *stands[i];
+    body.stand = body.state = *stands[i];
     bodies_.push_back(std::move(body));
   }
 }
@@ -189,6 +189,7 @@ void BodyBelief::settle(std::size_t first, double heading_rad) {
   for (std::size_t k = 0; k < stands.size(); ++k) {
     if (!stands[k]) continue;
     standing.push_back(std::move(bodies_[first + k]));
+    standing.back().stand = *stands[k];
     standing.back().state = imagination_->turned(*stands[k], heading_rad);
   }
   bodies_.resize(first);
@@ -206,9 +207,12 @@ void BodyBelief::keepBest(std::size_t first, std::size_t count) {
 
 void BodyBelief::weigh(const SeenBehavior& seen) {
   for (BelievedBody& body : bodies_) {
-    if (body.imagined.verdict != Verdict::kDiverged) {
-      body.state = imagination_->turned(body.imagined.end, seen.world_from_after.yaw_rad);
-    }
+    // Who asks what to expect next stands, whatever he fell into: this body is not his, or somebody
+    // has stood him up.
+    const bool lies =
+        body.imagined.verdict == Verdict::kDiverged || body.imagined.verdict == Verdict::kFell;
+    body.state =
+        imagination_->turned(lies ? body.stand : body.imagined.end, seen.world_from_after.yaw_rad);
     body.log_weight =
         body.log_prior + kFading * (body.log_weight - body.log_prior) + evidenceOf(body);
   }

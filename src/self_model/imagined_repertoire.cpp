@@ -21,8 +21,14 @@ constexpr double kFlat_rad = 0.004;
 constexpr std::size_t kDriftEntries = 24;
 constexpr int kDriftHeadings = 4;
 
+// A limp leg swings free: how it lies decides of what comes of a behaviour.
+bool hasLimpLeg(const Physics& body) {
+  return std::any_of(body.legs.begin(), body.legs.end(),
+                     [](const LegState& leg) { return leg.condition == LegCondition::kLimp; });
+}
+
 bool isSame(const Physics& a, const Physics& b) {
-  if (a.legs != b.legs) return false;
+  if (a.legs != b.legs || hasLimpLeg(a)) return false;
   const BodyVector difference = parametersOf(a, b);
   for (const BodyParameter scale : {kFriction, kServoGain, kTorque, kMass}) {
     if (std::abs(difference[scale]) > kSameScale) return false;

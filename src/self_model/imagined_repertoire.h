@@ -17,7 +17,7 @@ namespace hexapod {
 /// What a slope does to all of them alike, whatever the robot's heading, is told apart from where
 /// they lead. What was played is kept for the last few bodies: one that differs from one of them by
 /// no more than what a behaviour teaches of it is answered with what that one did, from the state
-/// in which it stood then. Used by one thread at a time.
+/// in which it stood then; but not where a leg is limp. Used by one thread at a time.
 class ImaginedRepertoire {
  public:
   /// In one body.

@@ -72,6 +72,36 @@ class OnlyForward : public Foresight {
   std::shared_ptr<const Repertoire> made_;
 };
 
+// Expects nothing to walk once anything was walked.
+class Hopeless : public Foresight {
+ public:
+  void observe(const WalkedStep&) override { walked_ = true; }
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override {
+    if (!walked_) return repertoire;
+    auto made = std::make_shared<Repertoire>(*repertoire);
+    for (Entry& entry : made->entries) entry.execution->falls = 1;
+    return made;
+  }
+
+ private:
+  bool walked_ = false;
+};
+
+TEST(AdaptivePlanner, TellsThatTheBelievedBodyLeavesNothingAndDoesNotTakeItForAJump) {
+  const Repertoire repertoire = arcRepertoire(300, 1);
+  const auto planner =
+      std::make_shared<AdaptivePlanner>(repertoire, PlannerOptions(), std::make_shared<Hopeless>());
+  EXPECT_GT(planner->reach_m(), 0.3);
+  Walk walk(planner, {3.0, 0.0, 0.0}, {0.05, 0.1});
+  const Walk::Decision first = walk.decide(Pose2());
+  ASSERT_EQ(first.state, WalkState::kStep);
+  const Walk::Decision second = walk.decide(first.step->world_from_end);
+  EXPECT_EQ(second.state, WalkState::kNoPlan) << second.message;
+  EXPECT_EQ(second.plan.code, PlanCode::kNoRepertoire);
+  EXPECT_NE(second.message.find("~reset_belief"), std::string::npos) << second.message;
+}
+
 TEST(AdaptivePlanner, SeeksGoalsAgainstTheDrift) {
   const Repertoire repertoire = arcRepertoire(300, 1);
   const Eigen::Vector2d drift_m(0.03, -0.04);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "simulation/body_text.h"
 #include "simulation/rollout.h"
 #include "walked_body.h"
 
@@ -76,6 +77,35 @@ TEST(SelfModel, ForeseesADamagedRobotOnASlopeAfterTwoBehaviours) {
   // Downhill.
   EXPECT_LT(self_model.drift_m().x(), -0.005);
   EXPECT_GT(self_model.drift_m().y(), 0.005);
+}
+
+// A gait with which a body falls from its stand.
+Genome fallingGait(const RobotDescription& robot, const Physics& body) {
+  const Imagination imagination(robot, BehaviorOptions(), Engine::kReduced, 1);
+  const WorldState stand = *imagination.stands({body}).front();
+  Random random(1);
+  while (true) {
+    const Genome genome = randomGenome(random);
+    if (imagination.play(genome, {{body, &stand}}).front().verdict == Verdict::kFell) return genome;
+  }
+}
+
+TEST(SelfModel, ExpectsARobotThatFellToHaveBeenStoodUp) {
+  const RobotDescription robot = shippedRobot();
+  const Physics limp = bodyFromText(robot, "right_rear: limp", Physics());
+  SelfModel self_model(robot, LearnedWorld(), oneThread(), limp);
+  const auto known = repertoire();
+  const auto before = self_model.expected(known);
+  Entry falls = known->entries.front();
+  falls.genome = fallingGait(robot, limp);
+  self_model.observe(stepOf(falls, {falls.genome, Pose2(), Pose2(), {}}));
+  const auto after = self_model.expected(known);
+  int walks = 0;
+  for (std::size_t i = 0; i < known->entries.size(); ++i) {
+    EXPECT_EQ(after->entries[i].execution->falls, before->entries[i].execution->falls);
+    walks += after->entries[i].execution->falls == 0 ? 1 : 0;
+  }
+  EXPECT_GT(walks, 0);
 }
 
 TEST(SelfModel, FollowsAChainToWhereItLeads) {
