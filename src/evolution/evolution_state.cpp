@@ -24,6 +24,8 @@ constexpr std::array<Counter, 8> kCounters = {{
     {"swapped", &EvolutionCounters::swapped},
     {"looked_twice", &EvolutionCounters::looked_twice},
 }};
+// States from before it was counted have none.
+constexpr Counter kFailedLater = {"failed_later", &EvolutionCounters::failed_later};
 
 [[noreturn]] void fail(const std::string& name, const std::string& expected,
                        const std::string& found) {
@@ -113,6 +115,7 @@ std::int64_t countOf(const std::map<std::string, std::string>& texts, const std:
 
 std::map<std::string, std::string> toTexts(const EvolutionState& state) {
   std::map<std::string, std::string> texts{{"random", state.random.state()},
+  texts[kFailedLater.first] = std::to_string(state.counters.*kFailedLater.second);
                                            {"next_id", std::to_string(state.next_id)}};
   for (const auto& [name, member] : kCounters) texts[name] = std::to_string(state.counters.*member);
   std::string& population = texts["population"];
@@ -124,6 +127,9 @@ EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
                               const std::vector<Entry>& archive) {
   EvolutionState state;
   state.random = Random::fromState(textOf(texts, "random"));
+  if (texts.count(kFailedLater.first) > 0) {
+    state.counters.*kFailedLater.second = countOf(texts, kFailedLater.first);
+  }
   state.next_id = countOf(texts, "next_id");
   for (const auto& [name, member] : kCounters) state.counters.*member = countOf(texts, name);
   std::istringstream lines(textOf(texts, "population"));

@@ -83,8 +83,11 @@ void Generational::tell(const std::vector<Outcome>& outcomes) {
   }
   for (std::size_t k = 0; k < asked; ++k) {
     const std::size_t i = draft_->asked[k];
-    draft_->pool.individuals[i].outcome = checked(outcomes[k]);
-    draft_->pool.individuals[i].looks = draft_->questions.look;
+    Individual& individual = draft_->pool.individuals[i];
+    const bool had_walked = draft_->questions.look > 1 && individual.outcome.walked();
+    individual.outcome = checked(outcomes[k]);
+    individual.looks = draft_->questions.look;
+    if (had_walked && !individual.outcome.walked()) ++draft_->failed_later;
     draft_->pool.is_news[i] = true;
   }
   if (draft_->questions.look == 2) draft_->looked_twice = static_cast<std::int64_t>(asked);
@@ -155,6 +158,7 @@ void Generational::complete() {
   for (std::size_t i = 0; i < draft.pool.individuals.size(); ++i) {
     if (draft.pool.is_news[i]) {
       countFailure(draft.pool.individuals[i].outcome.verdict, counters_);
+  counters_.failed_later += draft.failed_later;
     }
   }
   finish(std::move(draft.pool));

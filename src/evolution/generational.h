@@ -75,6 +75,7 @@ class Generational : public Algorithm {
     Random random{0};
     std::size_t candidates = 0;
     std::int64_t looked_twice = 0;
+    std::int64_t failed_later = 0;
     Pool pool;
     std::vector<std::size_t> asked;  // of the pool, one per question
     Questions questions;

@@ -39,6 +39,7 @@ struct EvolutionCounters {
   std::int64_t added = 0;
   std::int64_t swapped = 0;
   std::int64_t looked_twice = 0;  ///< candidates the evaluator had to look at again
+  std::int64_t failed_later = 0;  ///< of those that failed, the ones that did so in a further look
 };
 
 /// Everything a run needs to go on exactly as if it had never stopped.

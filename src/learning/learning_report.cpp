@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "common/text.h"
 
@@ -62,6 +63,25 @@ std::string describe(const LearningStatus& status) {
   }
   return line + "; " + std::to_string(status.simulations) + " simulations, " +
          std::to_string(status.known) + " gaits known.";
+}
+
+std::string nothingLearned(const EvolutionCounters& counters, std::size_t dropped) {
+  const std::int64_t walked =
+      counters.evaluations - counters.fell - counters.self_collided - counters.diverged;
+  std::string sentence = "Nothing was learned: of " + std::to_string(counters.evaluations) +
+                         " candidates " + std::to_string(counters.fell) + " fell, " +
+                         std::to_string(counters.self_collided) + " touched a leg with another, " +
+                         std::to_string(counters.diverged) + " blew up";
+  if (counters.failed_later > 0) {
+    sentence += " (" + std::to_string(counters.failed_later) +
+                " of these only under perturbed physics or after other behaviours)";
+  }
+  sentence += " and " + std::to_string(walked) + " walked";
+  if (dropped > 0) {
+    return sentence + "; ODE confirms none of the " + std::to_string(dropped) + " entries.";
+  }
+  if (walked > 0) sentence += ", none to a new place (novelty_threshold_m is too large for it)";
+  return sentence + ". import_robot tells how a robot stands and walks.";
 }
 
 double fractionDone(const LearningStatus& status) {

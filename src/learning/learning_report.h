@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "learning/learning_session.h"
@@ -17,5 +18,9 @@ std::string describeBriefly(const LearningStatus& status);
 /// Of the phase under way, 0 .. 1: the part of the budget that is used up, or of the entries that
 /// are checked.
 double fractionDone(const LearningStatus& status);
+
+/// Why there is no entry: what became of the candidates, in a sentence. `dropped`: entries that ODE
+/// does not confirm.
+std::string nothingLearned(const EvolutionCounters& counters, std::size_t dropped);
 
 }  // namespace hexapod

@@ -88,21 +88,6 @@ std::vector<Entry> LearningRun::entries() const {
   return kept;
 }
 
-std::string LearningRun::nothingLearned() const {
-  const std::int64_t walked =
-      counters().evaluations - counters().fell - counters().self_collided - counters().diverged;
-  std::string sentence = "Nothing was learned: of " + std::to_string(counters().evaluations) +
-                         " candidates " + std::to_string(counters().fell) + " fell, " +
-                         std::to_string(counters().self_collided) +
-                         " touched a leg with another, " + std::to_string(counters().diverged) +
-                         " blew up and " + std::to_string(walked) + " walked";
-  if (!dropped_.empty()) {
-    return sentence + "; ODE confirms none of the " + std::to_string(dropped_.size()) + " entries.";
-  }
-  if (walked > 0) sentence += ", none to a new place (novelty_threshold_m is too large for it)";
-  return sentence + ". import_robot tells how a robot stands and walks.";
-}
-
 void LearningRun::add(const Findings& findings) {
   dropped_.insert(findings.dropped.begin(), findings.dropped.end());
   for (const auto& [id, execution] : findings.executions) executions_[id] = execution;

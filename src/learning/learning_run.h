@@ -72,9 +72,6 @@ class LearningRun {
   std::vector<Entry> entries() const;
   std::size_t dropped() const { return dropped_.size(); }
 
-  /// Why there is no entry: what became of the candidates, in a sentence.
-  std::string nothingLearned() const;
-
   /// Adds what a check found.
   void add(const Findings& findings);
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "common/half_decade.h"
+#include "learning/learning_report.h"
 #include "learning/resume.h"
 #include "learning/time_left.h"
 
@@ -80,7 +81,9 @@ bool LearningSession::run(const Hooks& hooks) {
   if (finished) enter(LearningPhase::kDone);
   if (!was_done && run_.counters().generations > 0) save(hooks);
   if (hooks.progress) hooks.progress(*this);
-  if (finished && run_.entries().empty()) throw std::runtime_error(run_.nothingLearned());
+  if (finished && run_.entries().empty()) {
+    throw std::runtime_error(nothingLearned(run_.counters(), run_.dropped()));
+  }
   return finished;
 }
 

@@ -205,7 +205,9 @@ void expectOnlyFinalOutcomesInTheArchive(CarefulEvaluator& evaluator) {
     EXPECT_FALSE(entry.genome[0] == 4 && entry.genome[4] == 4);
   }
   EXPECT_GT(evolution.archive().size(), 50u);
-  EXPECT_GT(evolution.counters().fell, 0);
+  EXPECT_GT(evaluator.fell, 0);
+  EXPECT_EQ(evolution.counters().failed_later, evaluator.fell);
+  EXPECT_GE(evolution.counters().fell, evaluator.fell);
   EXPECT_EQ(evolution.counters().looked_twice, evaluator.counts[2]);
   EXPECT_LT(evolution.counters().looked_twice, evolution.counters().evaluations);
   EXPECT_EQ(evolution.counters().evaluations, 4000);

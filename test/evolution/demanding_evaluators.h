@@ -64,6 +64,7 @@ class CarefulEvaluator : public AnalyticEvaluator {
       if (look < looks_) outcome.cost *= 0.75;
       if (look == looks_) seen_to_the_end.insert(genomes[i]);
       const bool falls = genomes[i][0] == 4 && genomes[i][4] == 4;
+      if (falls) ++fell;
       outcomes.push_back(falls ? Outcome{Verdict::kFell, {}, 0.0} : outcome);
     }
     return outcomes;
@@ -71,6 +72,7 @@ class CarefulEvaluator : public AnalyticEvaluator {
 
   std::set<Genome> seen_to_the_end;
   std::map<int, std::int64_t> counts;  // of genomes, by look
+  std::int64_t fell = 0;               // in further looks
 
  private:
   int looks_;

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "learning/learning_report.h"
 #include "learning_fixture.h"
 
 namespace hexapod {
@@ -94,6 +95,22 @@ TEST_F(RobustSession, WithoutAnyEntryEndsTellingWhatBecameOfTheCandidates) {
   const std::string complaint = complaintOf([&] { learn(options); });
   EXPECT_TRUE(mentions(complaint, "Nothing was learned: of 60 candidates ")) << complaint;
   EXPECT_TRUE(mentions(complaint, "none to a new place")) << complaint;
+}
+
+TEST(NothingLearned, TellsThoseApartThatFailedUnderOtherConditionsOnly) {
+  EvolutionCounters counters;
+  counters.evaluations = 60;
+  counters.fell = 40;
+  counters.self_collided = 15;
+  counters.diverged = 5;
+  counters.failed_later = 12;
+  EXPECT_EQ(nothingLearned(counters, 0),
+            "Nothing was learned: of 60 candidates 40 fell, 15 touched a leg with another, 5 blew "
+            "up (12 of these only under perturbed physics or after other behaviours) and 0 walked. "
+            "import_robot tells how a robot stands and walks.");
+  counters.fell = 33;
+  EXPECT_TRUE(mentions(nothingLearned(counters, 0), "and 7 walked, none to a new place"));
+  EXPECT_TRUE(mentions(nothingLearned(counters, 7), "7 walked; ODE confirms none of the 7"));
 }
 
 TEST_F(RobustSession, LearnsInLengthsThatSuitTheRobot) {
