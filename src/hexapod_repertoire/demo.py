@@ -172,6 +172,9 @@ def demonstrate() -> int:
     wait_until_ready(arm_after_fault=True)
     walker = Walker()
     trail = Trail()
+    factor = rospy.get_param("~real_time_factor", 1.0)
+    if factor != 1.0:
+        rospy.loginfo("The simulated robot's seconds are %g times as fast as real ones.", factor)
     reports, walks = [], []
     for number, goal in enumerate(goals):
         if injury and number == 1:
