@@ -22,9 +22,8 @@ std::vector<Trial> playSimulated(World& world, const BehaviorOptions& behavior,
   world.restart();
   for (Trial trial : planned) {
     trial.seen.world_from_before = measured(world, noise, random);
-    const Outcome outcome =
-        play(world, Behavior(world.robot(), canonical(trial.seen.genome), behavior),
-             behavior.command_period_s);
+    const Outcome outcome = play(world, Behavior(world.robot(), trial.seen.genome, behavior),
+                                 behavior.command_period_s);
     if (outcome.verdict == Verdict::kFell || outcome.verdict == Verdict::kDiverged) {
       world.restart();
       continue;

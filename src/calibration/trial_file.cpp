@@ -60,7 +60,11 @@ Trial trialIn(const std::vector<std::string>& cells, std::size_t gene_count) {
   }
   Trial trial;
   trial.is_check = cells[0] == "check";
-  trial.seen.genome = genomeFromString(cells[1], gene_count);
+  trial.seen.genome = genomeFromString(cells[1]);
+  if (trial.seen.genome.size() != gene_count) {
+    throw std::invalid_argument("expected a genome of " + std::to_string(gene_count) +
+                                " genes, found '" + cells[1] + "'.");
+  }
   trial.seen.world_from_before = poseIn(cells, 2);
   trial.seen.world_from_after = poseIn(cells, 5);
   return trial;

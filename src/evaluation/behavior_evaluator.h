@@ -23,8 +23,8 @@ struct SimulationCounts {
 
 /// Evaluates genomes by playing each one's behaviour once, from the settled stand.
 ///
-/// Simulates the canonical() form of every genome, so that equal gaits have equal outcomes. An
-/// outcome depends on its genome alone, whatever the number of threads.
+/// Equal gaits have equal outcomes. An outcome depends on its genome alone, whatever the number of
+/// threads.
 class BehaviorEvaluator : public Evaluator {
  public:
   /// Throws std::invalid_argument when the options do not fit the robot. `cancelled`, if given,

@@ -6,9 +6,10 @@
 
 namespace hexapod {
 
-CachedEvaluator::CachedEvaluator(Evaluator& evaluator, std::size_t capacity,
+CachedEvaluator::CachedEvaluator(Evaluator& evaluator, std::size_t capacity, GenomeSpace space,
                                  std::vector<Symmetry> symmetries)
     : evaluator_(&evaluator),
+      space_(std::move(space)),
       symmetries_(std::move(symmetries)),
       memories_(static_cast<std::size_t>(evaluator.looks()), Memory(capacity)) {}
 
@@ -44,7 +45,7 @@ std::vector<Outcome> CachedEvaluator::lookAgain(int look, const std::vector<Geno
 }
 
 CachedEvaluator::Representative CachedEvaluator::representative(const Genome& genome) const {
-  Representative first{canonical(genome), nullptr};
+  Representative first{space_.canonical(genome), nullptr};
   for (const Symmetry& symmetry : symmetries_) {
     Genome image = symmetry.image(genome);
     if (image < first.genome) first = {std::move(image), &symmetry};

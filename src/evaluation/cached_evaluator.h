@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "evolution/evaluator.h"
+#include "evolution/genome_space.h"
 #include "gait/genome_hash.h"
 #include "gait/symmetry.h"
 
@@ -14,10 +15,10 @@ namespace hexapod {
 
 /// An evaluator that asks another one only about what it has not been told yet.
 ///
-/// Genomes of the same gait are one question, and with symmetries so are the up to four mirror
-/// images of a gait: of those the genome that comes first in lexicographic order is asked, the
-/// others get the image of its outcome. (Where the evaluator's outcomes are not exactly symmetric,
-/// under random perturbations, that is as good an estimate as its own.)
+/// Genomes of the same controller are one question, and with symmetries so are the up to four
+/// mirror images of a gait: of those the genome that comes first in lexicographic order is asked,
+/// the others get the image of its outcome. (Where the evaluator's outcomes are not exactly
+/// symmetric, under random perturbations, that is as good an estimate as its own.)
 ///
 /// Outcomes depend on the genome alone: neither on what was asked before nor on what was forgotten.
 /// Not thread-safe.
@@ -25,7 +26,7 @@ class CachedEvaluator : public Evaluator {
  public:
   /// `capacity`: gaits remembered, the oldest are forgotten first; 0: none, equal gaits of one
   /// batch are one question even so. The evaluator must outlive this.
-  CachedEvaluator(Evaluator& evaluator, std::size_t capacity,
+  CachedEvaluator(Evaluator& evaluator, std::size_t capacity, GenomeSpace space,
                   std::vector<Symmetry> symmetries = {});
 
   std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override;
@@ -73,6 +74,7 @@ class CachedEvaluator : public Evaluator {
                               const Ask& ask);
 
   Evaluator* evaluator_;
+  GenomeSpace space_;
   std::vector<Symmetry> symmetries_;
   std::vector<Memory> memories_;  // one per look
   Counts counts_;

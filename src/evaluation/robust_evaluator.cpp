@@ -25,12 +25,6 @@ std::vector<Physics> allPhysics(const RobustnessOptions& options, const Physics&
   return all;
 }
 
-Genome randomGenome(std::size_t gene_count, Random& random) {
-  Genome genome(gene_count);
-  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return canonical(genome);
-}
-
 }  // namespace
 
 RobustEvaluator::RobustEvaluator(Evaluator& nominal, const std::shared_ptr<WorldPool>& pool,
@@ -41,7 +35,8 @@ RobustEvaluator::RobustEvaluator(Evaluator& nominal, const std::shared_ptr<World
       seed_(seed),
       hooks_{nullptr, cancelled},
       worlds_(pool, allPhysics(options, pool->physics(), behavior.command_period_s, seed),
-              behavior) {}
+              behavior),
+      gaits_(gaitsOf(pool->robot(), behavior)) {}
 
 std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genomes) {
   std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
@@ -136,7 +131,7 @@ void RobustEvaluator::prepareStartStates() {
                                  "or smaller amplitudes (import_robot tries them), or set "
                                  "perturbed_start_states to 0.");
       }
-      const Genome genome = randomGenome(worlds_.robot().geneCount(), random);
+      const Genome genome = gaits_.drawn(random);
       const WorldState* start = chain.size() == 1 ? nullptr : &chain.back();
       BatchResult result = worlds_.play({genome}, {{0, 0, start}}, hooks_)[0];
       if (result.outcome.walked() && goesOnStanding(result.end)) {

@@ -9,6 +9,7 @@
 #include "evaluation/robust_options.h"
 #include "evaluation/robust_worlds.h"
 #include "evolution/evaluator.h"
+#include "evolution/genome_space.h"
 
 namespace hexapod {
 
@@ -55,6 +56,7 @@ class RobustEvaluator : public Evaluator {
   std::uint64_t seed_;
   PlayHooks hooks_;
   RobustWorlds worlds_;  // physics 0 is the nominal one
+  GenomeSpace gaits_;
   std::vector<WorldState> start_states_;
   // What all runs of the last second look gave, the nominal one first. Sparing, not necessary: a
   // third look at other genomes simulates them anew.

@@ -58,7 +58,7 @@ RobustWorlds::Behaviors RobustWorlds::behaviorsOf(const std::vector<Genome>& gen
   Behaviors behaviors(genomes.size());
   pool_->forEach(genomes.size(), [&](World& /*world*/, std::size_t i) {
     try {
-      behaviors[i] = std::make_unique<const Behavior>(maker_.make(canonical(genomes[i])));
+      behaviors[i] = std::make_unique<const Behavior>(maker_.make(genomes[i]));
     } catch (const std::invalid_argument& error) {
       throw std::runtime_error("Genome " + toString(genomes[i]) +
                                " cannot be simulated: " + error.what());

@@ -47,7 +47,7 @@ class RobustWorlds {
   const RobotDescription& robot() const { return pool_->robot(); }
   const std::vector<Physics>& physics() const { return physics_; }
 
-  /// One result per run, in the same order. Genomes are played in their canonical() form. Throws
+  /// One result per run, in the same order. Throws
   /// EvaluationCancelled within one simulated behaviour of `cancelled` turning true, and
   /// std::runtime_error naming a genome that cannot be simulated at all.
   std::vector<BatchResult> play(const std::vector<Genome>& genomes, const std::vector<Run>& runs,

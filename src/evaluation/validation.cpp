@@ -90,7 +90,7 @@ class Validation {
   }
 
   Outcome playGenome(World& world, const Genome& genome) const {
-    const Behavior behavior(world.robot(), canonical(genome), behavior_);
+    const Behavior behavior(world.robot(), genome, behavior_);
     return play(world, behavior, behavior_.command_period_s);
   }
 

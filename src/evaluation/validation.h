@@ -25,8 +25,7 @@ struct ValidationOptions {
 /// `start_states` states of the world, in which robots are that have just walked. (A predecessor
 /// that fails is taken back and another one drawn.) Every genome is then played from `trials`
 /// different ones of them, its own choice, so that n genomes cost n * trials simulations. Same
-/// options and genomes, same result, whatever the number of threads. Genomes are simulated in their
-/// canonical() form.
+/// options and genomes, same result, whatever the number of threads.
 ///
 /// Returns one Execution per genome, in order; the hooks are told of executions. Throws
 /// std::invalid_argument when an option is out of range, EvaluationCancelled as RobustWorlds does.

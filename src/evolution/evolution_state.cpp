@@ -83,9 +83,7 @@ Individual individualFrom(const std::string& line) {
   Individual individual;
   individual.id = words.integer();
   individual.evaluation = words.integer();
-  const std::string digits = words.text();
-  individual.genotype = genomeFromString(digits, digits.size());
-  individual.genome = canonical(individual.genotype);
+  individual.genotype = genomeFromString(words.text());
   individual.outcome.verdict = words.verdict();
   individual.outcome.end_pose.x_m = words.real();
   individual.outcome.end_pose.y_m = words.real();
@@ -115,9 +113,9 @@ std::int64_t countOf(const std::map<std::string, std::string>& texts, const std:
 
 std::map<std::string, std::string> toTexts(const EvolutionState& state) {
   std::map<std::string, std::string> texts{{"random", state.random.state()},
-  texts[kFailedLater.first] = std::to_string(state.counters.*kFailedLater.second);
                                            {"next_id", std::to_string(state.next_id)}};
   for (const auto& [name, member] : kCounters) texts[name] = std::to_string(state.counters.*member);
+  texts[kFailedLater.first] = std::to_string(state.counters.*kFailedLater.second);
   std::string& population = texts["population"];
   for (const Individual& individual : state.population) population += lineOf(individual);
   return texts;
@@ -127,11 +125,11 @@ EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
                               const std::vector<Entry>& archive) {
   EvolutionState state;
   state.random = Random::fromState(textOf(texts, "random"));
+  state.next_id = countOf(texts, "next_id");
+  for (const auto& [name, member] : kCounters) state.counters.*member = countOf(texts, name);
   if (texts.count(kFailedLater.first) > 0) {
     state.counters.*kFailedLater.second = countOf(texts, kFailedLater.first);
   }
-  state.next_id = countOf(texts, "next_id");
-  for (const auto& [name, member] : kCounters) state.counters.*member = countOf(texts, name);
   std::istringstream lines(textOf(texts, "population"));
   for (std::string line; std::getline(lines, line);) {
     state.population.push_back(individualFrom(line));

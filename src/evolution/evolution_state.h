@@ -12,8 +12,9 @@ namespace hexapod {
 /// archive, which is the repertoire's entries. Exact, and the same in every locale.
 std::map<std::string, std::string> toTexts(const EvolutionState& state);
 
-/// Reads toTexts() and completes it with the archive. Throws std::invalid_argument naming the text,
-/// what was expected and what was found.
+/// Reads toTexts() and completes it with the archive; the genomes of individuals, which follow from
+/// their genotypes, are for the algorithm that goes on from it. Throws std::invalid_argument naming
+/// the text, what was expected and what was found.
 EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
                               const std::vector<Entry>& archive);
 

@@ -49,6 +49,9 @@ void Generational::goOn(const EvolutionState& state) {
   next_id_ = state.next_id;
   counters_ = state.counters;
   population_ = state.population;
+  for (Individual& individual : population_) {
+    individual.genome = space().canonical(individual.genotype);
+  }
 }
 
 void Generational::beginWith(std::vector<Genome> genotypes) {
@@ -155,10 +158,10 @@ void Generational::complete() {
   next_id_ += static_cast<std::int64_t>(draft.candidates * (1 + task_.symmetries.size()));
   counters_.evaluations += static_cast<std::int64_t>(draft.candidates);
   counters_.looked_twice += draft.looked_twice;
+  counters_.failed_later += draft.failed_later;
   for (std::size_t i = 0; i < draft.pool.individuals.size(); ++i) {
     if (draft.pool.is_news[i]) {
       countFailure(draft.pool.individuals[i].outcome.verdict, counters_);
-  counters_.failed_later += draft.failed_later;
     }
   }
   finish(std::move(draft.pool));

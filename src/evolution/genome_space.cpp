@@ -8,6 +8,17 @@
 
 namespace hexapod {
 
+GenomeSpace gaits(std::size_t genes, std::size_t levels) {
+  return {genes, levels,
+          [levels](const Genome& genome) { return hexapod::canonical(genome, levels); }};
+}
+
+GenomeSpace gaitsOf(const RobotDescription& robot, const BehaviorOptions& options) {
+  return gaits(robot.geneCount(), static_cast<std::size_t>(options.gene_levels));
+}
+
+GenomeSpace::GenomeSpace(std::size_t gait_genes) : GenomeSpace(gaits(gait_genes, kGeneLevels)) {}
+
 GenomeSpace::GenomeSpace(std::size_t gene_count, std::size_t levels,
                          std::function<Genome(const Genome&)> canonical)
     : gene_count(gene_count), levels(levels), canonical(std::move(canonical)) {}

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "gait/behavior_options.h"
@@ -13,6 +12,7 @@ namespace hexapod {
 
 /// What the learner evaluates and the executor plays, command by command, the same in both:
 /// neutral pose -> gait -> back to the neutral pose, at rest. ("A behaviour": doc/house.md.)
+/// Genomes of the same gait are the same behaviour: the canonical() one is played.
 ///
 /// A behaviour is a fixed sequence of commandCount() joint commands, one per command period;
 /// command k is sent at k * command_period_s and holds until the next. It is the gait at that time,
@@ -38,8 +38,9 @@ class Behavior {
 
  private:
   friend class BehaviorMaker;
-  Behavior(double period_s, Commands commands)
-      : period_s_(period_s), commands_(std::move(commands)) {}
+  explicit Behavior(double period_s) : period_s_(period_s) {}
+  template <typename GaitAngles>
+  void play(const RobotDescription& robot, const BehaviorOptions& options, const GaitAngles& gait);
 
   double period_s_;
   Commands commands_;
@@ -59,8 +60,6 @@ class BehaviorMaker {
  private:
   const RobotDescription* robot_;
   BehaviorOptions options_;
-  std::vector<const Joint*> joints_;
-  std::vector<double> neutral_rad_;
   std::vector<GaitSignals> signals_;  // of each command of the gait
 };
 

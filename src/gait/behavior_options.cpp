@@ -34,7 +34,7 @@ std::size_t commandsIn(const std::string& name, double duration_s, double period
 
 }  // namespace
 
-std::vector<Option> declareTimingOptions(BehaviorOptions& options) {
+std::vector<Option> declarePlayingOptions(BehaviorOptions& options) {
   return {
       option("gait_duration_s", options.gait_duration_s, "s",
              "How long the gait of a behaviour is played; a multiple of command_period_s.",
@@ -53,11 +53,16 @@ std::vector<Option> declareTimingOptions(BehaviorOptions& options) {
              "When the end pose is read: at rest after the return to the neutral pose, or right "
              "after the gait as in the paper.",
              {EndPose::kAtRest, EndPose::kAfterGait}),
+      option(
+          "gene_levels", options.gene_levels,
+          "Values of amplitudes and phases: 5, the paper's 0, 0.25, 0.5, 0.75 and 1, or one more "
+          "than another multiple of 4; 253 are as good as continuous.",
+          kGeneLevels, kMostGeneLevels),
   };
 }
 
 std::vector<Option> declareOptions(BehaviorOptions& options) {
-  std::vector<Option> all = declareTimingOptions(options);
+  std::vector<Option> all = declarePlayingOptions(options);
   all.push_back(
       option("limit_velocity", options.limit_velocity,
              "Keep the commands within the joints' velocity limits; false sends the paper's eq. 3 "
@@ -72,6 +77,7 @@ BehaviorOptions behaviorOptionsOf(const std::map<std::string, std::string>& kept
 }
 
 BehaviorParts behaviorParts(const BehaviorOptions& options) {
+  requireGeneLevels(options.gene_levels);
   requireRange("command_period_s", options.command_period_s, kMinPeriod_s, kMaxPeriod_s);
   requireRange("gait_duration_s", options.gait_duration_s, kMinPeriod_s, kMaxDuration_s);
   requireRange("return_duration_s", options.return_duration_s, 0.0, kMaxDuration_s);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "common/options.h"
+#include "gait/genome.h"
 #include "robot/robot_description.h"
 
 namespace hexapod {
@@ -28,6 +29,8 @@ struct BehaviorOptions {
   /// Commands never move faster than the joint's velocity limit. Off for the paper's own reading,
   /// which sends eq. 3 as it is.
   bool limit_velocity = true;
+  /// Of a genome's genes, see requireGeneLevels().
+  std::int64_t gene_levels = kGeneLevels;
 };
 
 /// Commands of each part of a behaviour, one per command period.
@@ -47,12 +50,13 @@ std::vector<Option> declareOptions(BehaviorOptions& options);
 BehaviorOptions behaviorOptionsOf(const std::map<std::string, std::string>& kept,
                                   BehaviorOptions defaults);
 
-/// Those of them that say how long and how often; the others are the learner's alone.
-std::vector<Option> declareTimingOptions(BehaviorOptions& options);
+/// Those of them that whoever plays a repertoire takes from it: how long, how often, of which
+/// genes. The others are the learner's alone.
+std::vector<Option> declarePlayingOptions(BehaviorOptions& options);
 
 /// The parts the options ask for. Throws std::invalid_argument with a sentence naming the option,
 /// its value and what is allowed: not finite or out of range, no multiple of the command period, an
-/// unknown end_pose, an end at rest without any time to get there.
+/// unknown end_pose, an end at rest without any time to get there, gene_levels that make no gait.
 BehaviorParts behaviorParts(const BehaviorOptions& options);
 
 /// Throws std::invalid_argument naming return_duration_s and the joint when, with limit_velocity,

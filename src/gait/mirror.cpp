@@ -58,21 +58,27 @@ Eigen::Isometry3d neutralTurn(const Joint& joint) {
   return Eigen::Isometry3d(Eigen::AngleAxisd(joint.neutral_rad, joint.axis));
 }
 
-// Whether the two signals of a leg have to be negated; all joints of one signal must agree.
+// Whether the signals of a leg have to be negated; all joints of one signal must agree.
 class SignalSigns {
  public:
+  explicit SignalSigns(std::size_t signals) : signs_(signals, 0) {}
+
   // `product` tells by its sign. False when the joint contradicts an earlier one.
   bool add(const Joint& joint, double product) {
     if (std::abs(joint.amplitude_rad) <= kRounding) return true;
-    int& sign = signs_[joint.signal == Signal::kFirst ? 0 : 1];
+    int& sign = signs_[static_cast<std::size_t>(joint.signal) - 1];
     const int wanted = product < 0.0 ? -1 : 1;
     if (sign == 0) sign = wanted;
     return sign == wanted;
   }
-  std::array<bool, 2> negated() const { return {signs_[0] < 0, signs_[1] < 0}; }
+  std::vector<bool> negated() const {
+    std::vector<bool> negated;
+    for (const int sign : signs_) negated.push_back(sign < 0);
+    return negated;
+  }
 
  private:
-  std::array<int, 2> signs_ = {0, 0};  // 0: no joint moves at this signal
+  std::vector<int> signs_;  // 0: no joint moves at this signal
 };
 
 }  // namespace
@@ -127,7 +133,7 @@ Mirror::Comparison Mirror::compare(const Leg& leg, const Leg& other) const {
   if (leg.segments.size() != other.segments.size()) {
     return fail("no leg beside it has as many joints");
   }
-  SignalSigns signs;
+  SignalSigns signs(robot_.signalsPerLeg());
   Eigen::Isometry3d base_from_body = Eigen::Isometry3d::Identity();
   Eigen::Isometry3d base_from_twin = Eigen::Isometry3d::Identity();
   for (std::size_t s = 0; s < leg.segments.size(); ++s) {

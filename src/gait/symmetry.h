@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,20 +21,21 @@ class Symmetry {
   /// Where a leg's gait goes.
   struct LegImage {
     std::size_t leg = 0;  ///< the leg that moves in its place
-    /// Whether signal 1 and signal 2 have to be negated there: half a period later.
-    std::array<bool, 2> half_period = {false, false};
+    /// Of each signal, whether it has to be negated there: half a period later.
+    std::vector<bool> half_period = {false, false};
   };
 
   /// `x_sign` -1: front and rear are exchanged; `y_sign` -1: left and right are; each 1 or -1.
-  /// One leg image per leg.
-  Symmetry(double x_sign, double y_sign, std::vector<LegImage> legs);
+  /// One leg image per leg, all of as many signals; genes of so many levels.
+  Symmetry(double x_sign, double y_sign, std::vector<LegImage> legs,
+           std::size_t gene_levels = kGeneLevels);
 
   /// "left-right", "fore-aft" or, both at once, "half turn".
   std::string name() const;
 
   const std::vector<LegImage>& legs() const { return legs_; }
 
-  /// Canonical genome of the image gait. `genome` must have 4 genes per leg.
+  /// Canonical genome of the image gait.
   Genome image(const Genome& genome) const;
   /// Left-right: (x, -y, -yaw); fore-aft: (-x, y, -yaw); half turn: (-x, -y, yaw).
   Pose2 image(const Pose2& start_from_end) const;
@@ -46,14 +46,17 @@ class Symmetry {
   double x_sign_;
   double y_sign_;
   std::vector<LegImage> legs_;
+  std::size_t gene_levels_;
 };
 
 /// The symmetries of a robot, found in its description: left-right, fore-aft and half turn, those
-/// that exist. In the neutral pose, geometry, masses, collision shapes, joint axes, limits, servos
-/// and the gait's signals and amplitudes must map onto each other as well as files give them: to a
-/// thousandth of the leg reach and of a radian, a hundredth of masses and torques. A joint whose
-/// mirrored axis or amplitude has the opposite sign moves half a period later.
-std::vector<Symmetry> symmetriesOf(const RobotDescription& robot);
+/// that exist; for genes of so many levels. In the neutral pose, geometry, masses, collision
+/// shapes, joint axes, limits, servos and the gait's signals and amplitudes must map onto each
+/// other as well as files give them: to a thousandth of the leg reach and of a radian, a hundredth
+/// of masses and torques. A joint whose mirrored axis or amplitude has the opposite sign moves half
+/// a period later.
+std::vector<Symmetry> symmetriesOf(const RobotDescription& robot,
+                                   std::size_t gene_levels = kGeneLevels);
 
 /// Empty when left and right are mirror images, otherwise what is not, and by how much.
 std::string whyNotMirrored(const RobotDescription& robot);

@@ -15,6 +15,7 @@ from hexapod_repertoire.demo import wait_until_ready
 from hexapod_repertoire.msg import (ExecuteBehaviorAction, ExecuteBehaviorGoal,
                                     ExecuteBehaviorResult)
 from hexapod_repertoire.pictures import Pose
+from hexapod_repertoire.repertoire_data import genes_of
 from hexapod_repertoire.waiting import Silence
 
 PATIENCE_S = 10.0
@@ -75,7 +76,7 @@ class Player:
         Raises:
             Silence: it was not played; the text says why.
         """
-        self._client.send_goal(ExecuteBehaviorGoal(entry_id=-1, genome=[int(c) for c in genome]))
+        self._client.send_goal(ExecuteBehaviorGoal(entry_id=-1, genome=genes_of(genome)))
         self._client.wait_for_result()
         result = self._client.get_result()
         if result is None:

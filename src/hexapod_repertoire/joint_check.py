@@ -7,11 +7,10 @@ from typing import Any, Dict, List, NamedTuple, Sequence, Tuple
 
 import yaml
 
-# Of the gait's full swing; level 2 of 4.
-LEVEL, SHARE = 2, 0.5
+# Of the gait's full swing: level 2 of the paper's 0 .. 4.
+GENE_LEVELS, LEVEL, SHARE = 5, 2, 0.5
 # A joint that swings this part of what it should is slow or smoothed, below the second it stands.
 WHOLE, SOME = 0.7, 0.25
-GENES_PER_LEG = 4
 
 
 class Joint(NamedTuple):
@@ -39,13 +38,14 @@ def joints_of(robot: Dict[str, Any]) -> List[Joint]:
 def movements(robot: Dict[str, Any]) -> List[Movement]:
     """What is tried: every joint that takes part in the gait."""
     names = [joint.name for joint in joints_of(robot)]
+    genes_per_leg = 2 * max([2] + [joint.signal for joint in joints_of(robot)])
     tried = []
     for index, leg in enumerate(robot["legs"]):
         for joint in leg["joints"]:
             if joint["amplitude_rad"] == 0.0:
                 continue
-            genome = [0] * (GENES_PER_LEG * len(robot["legs"]))
-            genome[GENES_PER_LEG * index + 2 * (joint["signal"] - 1)] = LEVEL
+            genome = [0] * (genes_per_leg * len(robot["legs"]))
+            genome[genes_per_leg * index + 2 * (joint["signal"] - 1)] = LEVEL
             swings_rad = dict.fromkeys(names, 0.0)
             swings_rad[joint["name"]] = 2.0 * SHARE * abs(joint["amplitude_rad"])
             tried.append(Movement(leg["name"], joint["name"], joint["foot"], tuple(genome),

@@ -7,12 +7,17 @@ from typing import Dict, List, Tuple
 
 import numpy as np
 
-GENE_LEVELS = 5  # a gene is one of 0, 1/4 .. 1, as in the paper
+PAPER_GENE_LEVELS = 5  # a gene is one of 0, 1/4 .. 1
 WORLD_PREFIX = "fact.resimulated."
 _COLUMNS = ("id", "x_m", "y_m", "yaw_rad", "orientation_error_rad", "executed_x_m", "executed_y_m",
             "spread_m", "trials", "falls")
 _HISTORY = ("evaluations", "archive_size", "sparseness_m", "median_orientation_error_rad",
             "elapsed_s")
+
+
+def genes_of(genome: str) -> List[int]:
+    """The levels of a genome's text: a digit each, or after an x two hexadecimal digits each."""
+    return list(bytes.fromhex(genome[1:])) if genome.startswith("x") else [int(c) for c in genome]
 
 
 class Unreadable(ValueError):
@@ -62,7 +67,8 @@ class Stored:
 
     def signals(self, entry: int) -> List[Tuple[float, float]]:
         """(amplitude, phase [periods]) of each signal of an entry, from its genes."""
-        genes = [int(gene) / (GENE_LEVELS - 1) for gene in self.genomes[entry]]
+        highest = int(self.meta.get("option.gene_levels", PAPER_GENE_LEVELS)) - 1
+        genes = [level / highest for level in genes_of(self.genomes[entry])]
         return list(zip(genes[0::2], genes[1::2]))
 
 

@@ -127,8 +127,9 @@ def move(programs: pathlib.Path, is_confirmed: bool, waits: bool) -> int:
     for movement in joint_check.movements(robot):
         print(joint_check.sentence(movement), flush=True)
         try:
-            result = executor.ask(ExecuteBehaviorGoal(entry_id=-1, genome=movement.genome,
-                                                      joints=[movement.joint]))
+            result = executor.ask(ExecuteBehaviorGoal(
+                entry_id=-1, genome=movement.genome, gene_levels=joint_check.GENE_LEVELS,
+                joints=[movement.joint]))
         except (KeyboardInterrupt, rospy.ROSInterruptException):
             executor.cancel()
             raise

@@ -14,7 +14,7 @@ bool isLopsided(const Physics& physics) {
 
 std::vector<Symmetry> usedSymmetries(const WorldPool& worlds, const LearnOptions& options) {
   if (!options.evolution.offer_twins || isLopsided(worlds.physics())) return {};
-  return symmetriesOf(worlds.robot());
+  return symmetriesOf(worlds.robot(), static_cast<std::size_t>(options.behavior.gene_levels));
 }
 
 // What a candidate is evaluated to does not depend on those that the run began with.
@@ -35,7 +35,8 @@ CandidateEvaluator::CandidateEvaluator(const std::shared_ptr<WorldPool>& worlds,
       robust_(nominal_, worlds, options.behavior, options.robustness,
               static_cast<std::uint64_t>(options.seed), &cancelled),
       distributed_(robust_, own_, workers, cancelled, options.worker_patience_s),
-      cached_(distributed_, static_cast<std::size_t>(options.cached_genomes), symmetries_) {}
+      cached_(distributed_, static_cast<std::size_t>(options.cached_genomes),
+              gaitsOf(worlds->robot(), options.behavior), symmetries_) {}
 
 void CandidateEvaluator::serveFor(Channel& master) {
   serve(master, own_, robust_, [this] { return simulations(); });

@@ -83,7 +83,7 @@ Entry entryFrom(const std::string& line) {
   };
   entry.id = integer();
   words >> genome;
-  entry.genome = genomeFromString(genome, genome.size());
+  entry.genome = genomeFromString(genome);
   entry.end_pose = {number(), number(), number()};
   entry.cost = number();
   entry.evaluation = integer();

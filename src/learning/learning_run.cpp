@@ -12,7 +12,8 @@ std::unique_ptr<Generational> algorithmOf(const RobotDescription& robot,
                                           const LearnOptions& options,
                                           CandidateEvaluator& evaluator, const RunStart& start) {
   const AlgorithmChoice choice{options.algorithm, options.evolution, options.map_elites};
-  const Task task(robot.geneCount(), evaluator.evaluator().looks(), evaluator.symmetries());
+  const Task task(gaitsOf(robot, options.behavior), evaluator.evaluator().looks(),
+                  evaluator.symmetries());
   if (start.resumed) return makeAlgorithm(choice, task, start.resumed->checkpoint.evolution);
   auto algorithm = makeAlgorithm(choice, task, Random(static_cast<std::uint64_t>(options.seed)));
   if (start.warm) algorithm->beginWith(start.warm->genomes);

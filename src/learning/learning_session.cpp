@@ -28,7 +28,10 @@ std::string claimed(const LearnOptions& options) {
 /// Before the file is claimed: nothing is left where there is nothing to begin with.
 RunStart newRun(const RobotDescription& robot, const LearnOptions& options) {
   RunStart start;
-  if (!options.from.empty()) start.warm = warmStart(robot, options.from);
+  if (!options.from.empty()) {
+    start.warm =
+        warmStart(robot, options.from, static_cast<std::size_t>(options.behavior.gene_levels));
+  }
   return start;
 }
 

@@ -37,7 +37,7 @@ std::optional<Repertoire> relearn(const RobotDescription& robot, const Repertoir
                                   const Physics& body, const RelearnOptions& options,
                                   const std::atomic<bool>& cancelled) {
   RunStart start;
-  start.warm = warmStart(robot, repertoire, "run " + repertoire.run_id);
+  start.warm = warmStart(robot, repertoire, "run " + repertoire.run_id, repertoire.geneLevels());
   LearningRun run(robot, optionsFor(robot, repertoire, body, options), start, cancelled, {});
   try {
     while (run.budgetIsLeft()) run.step();

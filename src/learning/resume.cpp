@@ -26,14 +26,20 @@ std::string differences(const Repertoire& stored, const RobotDescription& robot,
   };
   Options wanted = resultOptions(options);
   wanted.erase("from");
-  if (!options.from.empty()) wanted["from"] = warmStart(robot, options.from).name;
+  if (!options.from.empty()) {
+    const auto levels = static_cast<std::size_t>(options.behavior.gene_levels);
+    wanted["from"] = warmStart(robot, options.from, levels).name;
+  }
+  // A file from before there was a choice.
+  Options then = stored.options;
+  then.emplace("gene_levels", std::to_string(kGeneLevels));
   std::set<std::string> names;
-  for (const auto& [name, text] : stored.options) names.insert(name);
+  for (const auto& [name, text] : then) names.insert(name);
   for (const auto& [name, text] : wanted) names.insert(name);
   for (const std::string& name : names) {
     const bool is_told = name != "from" || !options.from.empty();
     if (!isBudget(name) && !isCheck(name) && is_told)
-      add(name, textIn(stored.options, name), textIn(wanted, name));
+      add(name, textIn(then, name), textIn(wanted, name));
   }
   add("robot", stored.robot_id, robot.digest);
   if (options.evaluations < stored.evaluations) {

@@ -8,7 +8,7 @@
 namespace hexapod {
 
 WarmStart warmStart(const RobotDescription& robot, const Repertoire& repertoire,
-                    const std::string& source) {
+                    const std::string& source, std::size_t gene_levels) {
   const std::string nothing = "A run cannot begin with the entries of " + source + ": ";
   if (repertoire.entries.empty()) {
     throw std::invalid_argument(nothing + "it has none. Leave out 'from', or name another file.");
@@ -22,7 +22,11 @@ WarmStart warmStart(const RobotDescription& robot, const Repertoire& repertoire,
                                   std::to_string(robot.geneCount()) +
                                   ". Name a repertoire of a robot with as many legs.");
     }
-    start.genomes.push_back(entry.genome);
+    try {
+      start.genomes.push_back(withLevels(entry.genome, repertoire.geneLevels(), gene_levels));
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(nothing + error.what() + " Choose other gene_levels.");
+    }
     digest.add(toString(entry.genome));
   }
   start.name = std::to_string(start.genomes.size()) + " entries of " + repertoire.run_id + " (" +
@@ -30,8 +34,9 @@ WarmStart warmStart(const RobotDescription& robot, const Repertoire& repertoire,
   return start;
 }
 
-WarmStart warmStart(const RobotDescription& robot, const std::string& file) {
-  return warmStart(robot, loadRepertoire(file), file);
+WarmStart warmStart(const RobotDescription& robot, const std::string& file,
+                    std::size_t gene_levels) {
+  return warmStart(robot, loadRepertoire(file), file, gene_levels);
 }
 
 }  // namespace hexapod

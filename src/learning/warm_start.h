@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -15,12 +16,14 @@ struct WarmStart {
   std::vector<Genome> genomes;
 };
 
-/// The entries of a repertoire. `source` stands for it in messages. Throws std::invalid_argument
-/// when it has none, or genomes of another number of legs than the robot's.
+/// The entries of a repertoire, their genomes told in so many levels. `source` stands for it in
+/// messages. Throws std::invalid_argument when it has none, genomes of another number of legs than
+/// the robot's, or some that cannot be told so.
 WarmStart warmStart(const RobotDescription& robot, const Repertoire& repertoire,
-                    const std::string& source);
+                    const std::string& source, std::size_t gene_levels);
 
 /// Those of a file. Throws std::runtime_error as loadRepertoire() does, too.
-WarmStart warmStart(const RobotDescription& robot, const std::string& file);
+WarmStart warmStart(const RobotDescription& robot, const std::string& file,
+                    std::size_t gene_levels);
 
 }  // namespace hexapod

@@ -25,6 +25,12 @@ std::unique_ptr<Generational> make(const std::string& name, const Task& task, st
   return makeAlgorithm(choice, task, Random(seed));
 }
 
+Task gaitTask(const RobotDescription& robot, std::int64_t gene_levels) {
+  requireGeneLevels(gene_levels);
+  const auto levels = static_cast<std::size_t>(gene_levels);
+  return {gaits(robot.geneCount(), levels), 1, symmetriesOf(robot, levels)};
+}
+
 py::array_t<std::uint8_t> ask(Generational& algorithm, std::optional<std::int64_t> most) {
   const Questions& questions =
       algorithm.ask(most.value_or(std::numeric_limits<std::int64_t>::max()));
@@ -47,7 +53,8 @@ answers: same entries.
 
 Args:
     name: 'br_evolution', 'map_elites' or 'cvt_map_elites'.
-    robot: A Robot whose gaits are searched, its symmetries giving twins (offer_twins); or
+    robot: A Robot whose gaits are searched, its symmetries giving twins (offer_twins), with
+    gene_levels: 5 by default, as the learner has it; or
     genes, levels: Genotypes of another task, so many genes of the levels 0 .. levels - 1.
     seed: Of everything random.
     **options: population_size, novelty_threshold_m, mutation_rate, cell_m .. as the learner has
@@ -56,10 +63,11 @@ Args:
 Raises:
     ValueError: An unknown name or option, or a value out of range.)")
       .def(py::init([](const std::string& name, const RobotDescription& robot, std::uint64_t seed,
-                       const py::kwargs& keywords) {
-             return make(name, Task(robot.geneCount(), 1, symmetriesOf(robot)), seed, keywords);
+                       std::int64_t gene_levels, const py::kwargs& keywords) {
+             return make(name, gaitTask(robot, gene_levels), seed, keywords);
            }),
-           py::arg("name"), py::arg("robot"), py::arg("seed") = 1)
+           py::arg("name"), py::arg("robot"), py::arg("seed") = 1, py::kw_only(),
+           py::arg("gene_levels") = kGeneLevels)
       .def(py::init([](const std::string& name, std::size_t genes, std::size_t levels,
                        std::uint64_t seed, const py::kwargs& keywords) {
              return make(name, GenomeSpace(genes, levels), seed, keywords);

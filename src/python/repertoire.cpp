@@ -46,7 +46,9 @@ cost: what the entry won its place with; evaluation: number of its candidate; ex
 executed_y_m, executed_yaw_rad: mean end pose after random predecessors; spread_m, spread_rad: root
 mean square distance from that; trials, falls. The last seven are NaN or 0 until validated.)")
       .def_property_readonly("genomes", &genomesArray,
-                             "Genes of each entry, shape (n, genes), uint8, 0 .. 4.")
+                             "Genes of each entry, shape (n, genes), uint8, 0 .. gene_levels - 1.")
+      .def_property_readonly("gene_levels", &Repertoire::geneLevels,
+                             "What Simulation and commands() play its genomes with.")
       .def_property_readonly(
           "history", [](const Repertoire& repertoire) { return arrayOf(repertoire.history); },
           R"(Structured array of shape (rows,), a row about every 1000 evaluations: evaluations,

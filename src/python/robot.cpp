@@ -19,7 +19,7 @@ py::array_t<double> commands(const RobotDescription& robot, const py::array& gen
   BehaviorOptions options;
   applyKeywords(declareOptions(options), keywords, "commands");
   const std::vector<Genome> genomes = genomesFrom(genome.attr("reshape")(1, -1));
-  const Behavior behavior(robot, canonical(genomes[0]), options);
+  const Behavior behavior(robot, genomes[0], options);
   py::array_t<double> array(
       std::vector<py::ssize_t>{static_cast<py::ssize_t>(behavior.commandCount()),
                                static_cast<py::ssize_t>(robot.jointCount())});
@@ -39,8 +39,9 @@ void bindRobot(py::module& module) {
       .def_readonly("digest", &RobotDescription::digest, "Robot id, as repertoire files have it.")
       .def_readonly("remarks", &RobotDescription::remarks,
                     "What the files say and was taken otherwise, a sentence each.")
-      .def_property_readonly("gene_count", &RobotDescription::geneCount,
-                             "Number of genes of a gait: 4 per leg.")
+      .def_property_readonly(
+          "gene_count", &RobotDescription::geneCount,
+          "Number of genes of a gait: an amplitude and a phase for each signal of each leg.")
       .def_property_readonly("joint_names", &RobotDescription::jointNames,
                              "In the order of commands().")
       .def_property_readonly("neutral_pose", &RobotDescription::neutralPose,
@@ -51,9 +52,9 @@ void bindRobot(py::module& module) {
 
 Args:
     robot: A Robot.
-    genome: Its genes, shape (genes,), integers 0 .. 4.
+    genome: Its genes, shape (genes,), integers 0 .. gene_levels - 1.
     **options: gait_duration_s, command_period_s, return_duration_s, rest_duration_s, end_pose,
-        limit_velocity, as the learner has them (doc/options.md).
+        limit_velocity, gene_levels, as the learner has them (doc/options.md).
 
 Returns:
     Joint angles [rad], shape (commands, joints); command k is sent at k * command_period_s.

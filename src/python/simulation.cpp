@@ -65,7 +65,8 @@ class Simulation {
         worlds_(std::make_shared<WorldPool>(choice_.engine, robot, physics,
                                             static_cast<int>(options.threads))),
         simulator_(worlds_, options.behavior),
-        cached_(simulator_, static_cast<std::size_t>(options.cached_genomes)) {}
+        cached_(simulator_, static_cast<std::size_t>(options.cached_genomes),
+                gaitsOf(robot, options.behavior)) {}
 
   /// To be called without Python's interpreter.
   std::vector<Outcome> play(const std::vector<Genome>& genomes) {
@@ -154,8 +155,8 @@ Args:
     physics: A Physics; nominal by default.
     **options: engine ('reduced' or 'ode'), threads (0: all cores), cached_genomes (gaits whose
         outcomes are remembered, 0: none), and gait_duration_s, command_period_s,
-        return_duration_s, rest_duration_s, end_pose, limit_velocity, as the learner has them
-        (doc/options.md).
+        return_duration_s, rest_duration_s, end_pose, limit_velocity, gene_levels, as the learner
+        has them (doc/options.md).
 
 Raises:
     ValueError: Physics or options do not fit the robot or each other.)")
@@ -180,7 +181,7 @@ Raises:
 Other threads go on meanwhile; Ctrl-C ends it within some tenths of a second.
 
 Args:
-    genomes: Shape (n, genes), integers 0 .. 4.
+    genomes: Shape (n, genes), integers 0 .. gene_levels - 1.
 
 Returns:
     Structured array of shape (n,), of outcome_dtype: verdict (WALKED, FELL, SELF_COLLIDED or

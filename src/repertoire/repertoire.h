@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <map>
 #include <optional>
@@ -41,6 +42,10 @@ struct Repertoire {
   std::map<std::string, std::string> facts;    ///< what else is known of it, by name, as text
   std::vector<Entry> entries;
   std::vector<HistoryRow> history;
+
+  /// Levels of the entries' genes: what the option gene_levels says, the paper's five without it.
+  /// Throws std::invalid_argument when it says no number 1 .. 256.
+  std::size_t geneLevels() const;
 
   /// The text of the body it was learned for; empty: the robot as its files describe it.
   std::string body() const {

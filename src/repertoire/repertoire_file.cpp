@@ -98,26 +98,25 @@ std::optional<Execution> executionAt(const SqliteStatement& row, const std::stri
                    static_cast<int>(falls)};
 }
 
-Entry entryAt(const SqliteStatement& row, std::size_t gene_count) {
+Entry entryAt(const SqliteStatement& row, const GenomeShape& shape) {
   Entry entry;
   entry.id = integerAt(row, 0, "an entry");
   const std::string name = "entry " + std::to_string(entry.id);
   try {
-    entry.genome = genomeFromString(row.bytes(1), gene_count);
+    entry.genome = genomeFromString(row.bytes(1));
   } catch (const std::invalid_argument& error) {
-    fail("a genome of " + std::to_string(gene_count) + " digits 0-4 in " + name,
-         "'" + row.bytes(1).substr(0, 100) + "' (" + error.what() + ")");
+    fail("a genome in " + name, "'" + row.bytes(1).substr(0, 100) + "' (" + error.what() + ")");
   }
   entry.end_pose = {realAt(row, 2, name), realAt(row, 3, name), realAt(row, 4, name)};
   entry.cost = realAt(row, 5, name);
   entry.evaluation = integerAt(row, 6, name);
   entry.execution = executionAt(row, name);
-  const std::string problem = problemOf(entry, gene_count);
+  const std::string problem = problemOf(entry, shape);
   if (!problem.empty()) fail("usable entries", name + ", which " + problem);
   return entry;
 }
 
-std::vector<Entry> readEntries(SqliteDatabase& database, std::size_t gene_count) {
+std::vector<Entry> readEntries(SqliteDatabase& database, const GenomeShape& shape) {
   requireCount(database, "entries");
   std::vector<Entry> entries;
   std::set<std::int64_t> ids;
@@ -127,7 +126,7 @@ std::vector<Entry> readEntries(SqliteDatabase& database, std::size_t gene_count)
                                      (is_version_1 ? kEntryColumnsOfVersion1 : kEntryColumns) +
                                      " FROM entries ORDER BY id");
   while (rows.step()) {
-    entries.push_back(entryAt(rows, gene_count));
+    entries.push_back(entryAt(rows, shape));
     const Entry& entry = entries.back();
     const std::string name = "entry " + std::to_string(entry.id);
     if (!ids.insert(entry.id).second) fail("every id once", name + " twice");
@@ -181,7 +180,9 @@ StoredRepertoire read(SqliteDatabase& database, const std::string& path) {
   stored.learner_state = readPairs(database, "state");
   Repertoire& repertoire = stored.repertoire;
   repertoire.history = readHistory(database);
-  repertoire.entries = readEntries(database, static_cast<std::size_t>(genes));
+  repertoire.options = withPrefix(meta, kOptionPrefix);
+  repertoire.entries =
+      readEntries(database, {static_cast<std::size_t>(genes), repertoire.geneLevels()});
   requireDigest(meta, "digest", "entries", digestOf(repertoire.entries));
   requireDigest(meta, kFileDigestKey, "meta, history and state",
                 digestOf(meta, repertoire.history, stored.learner_state));
@@ -192,7 +193,6 @@ StoredRepertoire read(SqliteDatabase& database, const std::string& path) {
   repertoire.evaluations = metaNumber(meta, "evaluations", integerFromText);
   repertoire.behavior_duration_s = metaNumber(meta, "behavior_duration_s", doubleFromText);
   repertoire.joint_names = splitAtCommas(metaText(meta, "joint_names"));
-  repertoire.options = withPrefix(meta, kOptionPrefix);
   repertoire.facts = withPrefix(meta, kFactPrefix);
   return stored;
 }

@@ -10,7 +10,8 @@ namespace hexapod {
 /// The hand-over between learning and walking: one SQLite 3 database per repertoire.
 ///
 /// PRAGMA application_id = kApplicationId, user_version = kFormatVersion; tables
-///   entries  one row per entry; genome as digits 0-4; orientation_error_rad is that of the pose,
+///   entries  one row per entry; genome in the form of toString(), its levels below
+///            option.gene_levels (5 without); orientation_error_rad is that of the pose,
 ///            cost what the entry won its place with; the executed_ and spread_ columns are NULL
 ///            until the entry was validated
 ///   meta     key and value as text: seed, run_id, robot_id, generation, evaluations,

@@ -85,14 +85,15 @@ std::string digestOf(const std::map<std::string, std::string>& meta,
   return digest.text();
 }
 
-std::string problemOf(const Entry& entry, std::size_t gene_count) {
-  if (entry.genome.size() != gene_count) {
+std::string problemOf(const Entry& entry, const GenomeShape& shape) {
+  if (entry.genome.size() != shape.genes) {
     return "has " + std::to_string(entry.genome.size()) + " genes where the others have " +
-           std::to_string(gene_count);
+           std::to_string(shape.genes);
   }
   for (const std::uint8_t level : entry.genome) {
-    if (level >= kGeneLevels) {
-      return "has a gene of level " + std::to_string(level) + " where 0 to 4 exist";
+    if (level >= shape.levels) {
+      return "has a gene of level " + std::to_string(level) + " where 0 to " +
+             std::to_string(shape.levels - 1) + " exist";
     }
   }
   if (!isFinite(entry.end_pose)) return "has an end pose that is not finite";

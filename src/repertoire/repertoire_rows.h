@@ -35,7 +35,13 @@ constexpr const char* kFactPrefix = "fact.";
 std::string digestOf(const std::map<std::string, std::string>& meta,
                      const std::vector<HistoryRow>& history, const LearnerState& state);
 
+/// What the genomes of a repertoire have in common.
+struct GenomeShape {
+  std::size_t genes = 0;
+  std::size_t levels = kGeneLevels;
+};
+
 /// What is wrong with an entry: "" or "has ...". Shared, so that what is saved can be loaded.
-std::string problemOf(const Entry& entry, std::size_t gene_count);
+std::string problemOf(const Entry& entry, const GenomeShape& shape);
 
 }  // namespace hexapod

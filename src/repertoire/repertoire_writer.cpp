@@ -37,8 +37,9 @@ std::size_t geneCount(const Repertoire& repertoire) {
 void requireSavable(const Repertoire& repertoire) {
   std::set<std::int64_t> ids;
   std::set<Genome> genomes;
+  const GenomeShape shape{geneCount(repertoire), repertoire.geneLevels()};
   for (const Entry& entry : repertoire.entries) {
-    std::string problem = problemOf(entry, geneCount(repertoire));
+    std::string problem = problemOf(entry, shape);
     if (problem.empty() && !ids.insert(entry.id).second) problem = "occurs twice";
     if (problem.empty() && !entry.genome.empty() && !genomes.insert(entry.genome).second) {
       problem = "has the genome " + toString(entry.genome) + " of another entry";

@@ -27,9 +27,9 @@ std::vector<JointConfig> readGait(YamlSection& parent, const std::string& path,
   for (const YAML::Node& node : parent.list("gait")) {
     YamlSection section(node, at(path, gait.size()), reading.source, *reading.problems);
     JointConfig joint;
-    const double signal = section.number("signal", 1.0, 2.0, "");
-    if (signal != 1.0 && signal != 2.0) section.addProblem("signal", "should be 1 or 2.");
-    joint.signal = signal == 1.0 ? Signal::kFirst : Signal::kSecond;
+    const double signal = section.number("signal", 1.0, kMostSignals, "");
+    if (signal != std::floor(signal)) section.addProblem("signal", "should be a whole number.");
+    joint.signal = static_cast<Signal>(static_cast<int>(signal));
     joint.neutral_rad = section.number("neutral_rad", -M_PI, M_PI, "rad");
     joint.amplitude_rad = section.number("amplitude_rad", -M_PI, M_PI, "rad");
     section.finish();

@@ -1,5 +1,7 @@
 #include "robot/robot_description.h"
 
+#include <algorithm>
+
 namespace hexapod {
 
 std::size_t RobotDescription::jointCount() const {
@@ -20,6 +22,16 @@ std::vector<const Joint*> RobotDescription::joints() const {
     for (const Segment& segment : leg.segments) joints.push_back(&segment.joint);
   }
   return joints;
+}
+
+std::size_t RobotDescription::signalsPerLeg() const {
+  int highest = static_cast<int>(Signal::kSecond);
+  for (const Leg& leg : legs) {
+    for (const Segment& segment : leg.segments) {
+      highest = std::max(highest, static_cast<int>(segment.joint.signal));
+    }
+  }
+  return static_cast<std::size_t>(highest);
 }
 
 std::vector<double> RobotDescription::neutralPose() const {

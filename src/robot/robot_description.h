@@ -28,8 +28,11 @@ struct Body {
   std::vector<Shape> shapes;
 };
 
-/// Which of a leg's two control signals moves a joint (Cully & Mouret 2013, appendix B).
-enum class Signal { kFirst = 1, kSecond = 2 };
+/// Which of a leg's control signals moves a joint: two in the paper (Cully & Mouret 2013, appendix
+/// B), further ones are numbered on.
+enum class Signal : int { kFirst = 1, kSecond = 2 };
+
+constexpr int kMostSignals = 4;
 
 /// A hinge with its servo and its part in the gait.
 struct Joint {
@@ -102,8 +105,12 @@ struct RobotDescription {
   /// Pointers into this description, in joint order; valid as long as it lives.
   std::vector<const Joint*> joints() const;
   std::vector<double> neutralPose() const;  ///< [rad], in joint order
-  /// Number of genes of a gait: 4 per leg.
-  std::size_t geneCount() const { return 4 * legs.size(); }
+  /// The highest signal that moves a joint, 2 or more; every leg has as many.
+  std::size_t signalsPerLeg() const;
+  /// An amplitude and a phase for each signal.
+  std::size_t genesPerLeg() const { return 2 * signalsPerLeg(); }
+  /// Number of genes of a gait.
+  std::size_t geneCount() const { return genesPerLeg() * legs.size(); }
 };
 
 }  // namespace hexapod

@@ -6,6 +6,7 @@
 #include <ctime>
 #include <deque>
 #include <stdexcept>
+#include <utility>
 
 #include "common/random.h"
 #include "gait/behavior.h"
@@ -35,7 +36,7 @@ std::vector<Genome> randomGenomes(const RobotDescription& robot, int count) {
   for (int i = 0; i < count; ++i) {
     Genome genome(robot.geneCount());
     for (auto& gene : genome) gene = static_cast<std::uint8_t>(random.below(kGeneLevels));
-    genomes.push_back(canonical(genome));
+    genomes.push_back(std::move(genome));
   }
   return genomes;
 }

@@ -155,7 +155,7 @@ void writeLegs(const RobotDescription& robot, std::ostream& yaml) {
     yaml << "]\n    gait:\n";
     for (const Segment& segment : leg.segments) {
       const Joint& joint = segment.joint;
-      yaml << "      - {signal: " << (joint.signal == Signal::kFirst ? 1 : 2)
+      yaml << "      - {signal: " << static_cast<int>(joint.signal)
            << ", neutral_rad: " << joint.neutral_rad << ", amplitude_rad: " << joint.amplitude_rad
            << "}\n";
     }

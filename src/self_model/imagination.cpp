@@ -79,6 +79,7 @@ Imagination::Imagination(const RobotDescription& robot, const BehaviorOptions& b
                          Engine engine, int threads)
     : robot_(robot),
       behavior_(behavior),
+      maker_(robot_, behavior),
       engine_(engine),
       threads_(threads == 1 ? nullptr : std::make_unique<Threads>(threads)) {}
 
@@ -100,7 +101,7 @@ std::vector<std::optional<WorldState>> Imagination::stands(
 std::vector<Imagined> Imagination::play(const Genome& genome,
                                         const std::vector<Question>& questions,
                                         Joints joints) const {
-  const Behavior behavior(robot_, canonical(genome), behavior_);
+  const Behavior behavior = maker_.make(genome);
   std::vector<Imagined> answers(questions.size());
   const std::size_t abreast = joints == Joints::kIgnored ? runsAtOnce(engine_) : 1;
   const std::vector<std::vector<std::size_t>> parts = alike(questions, abreast);
@@ -175,9 +176,7 @@ std::vector<Outcome> Imagination::playAll(const std::vector<Genome>& genomes,
   forEach((genomes.size() + size - 1) / size, [&](std::size_t part) {
     const std::size_t begin = part * size, end = std::min(genomes.size(), begin + size);
     std::vector<Behavior> behaviors;
-    for (std::size_t i = begin; i < end; ++i) {
-      behaviors.emplace_back(robot_, canonical(genomes[i]), behavior_);
-    }
+    for (std::size_t i = begin; i < end; ++i) behaviors.push_back(maker_.make(genomes[i]));
     std::vector<BatchRun> runs;
     for (const Behavior& behavior : behaviors) runs.push_back({&behavior, question.start});
     const auto world = makeWorld(engine_, robot_, question.body, question.start);

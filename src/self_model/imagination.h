@@ -66,6 +66,7 @@ class Imagination {
 
   RobotDescription robot_;
   BehaviorOptions behavior_;
+  BehaviorMaker maker_;  // of robot_
   Engine engine_;
   std::unique_ptr<Threads> threads_;
 };

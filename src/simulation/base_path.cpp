@@ -31,7 +31,7 @@ std::vector<std::vector<Pose2>> basePaths(WorldPool& worlds, const BehaviorOptio
       static_cast<std::size_t>(std::max(1.0, std::floor(period_s / options.command_period_s)));
   std::vector<std::vector<Pose2>> paths(genomes.size());
   worlds.forEach(genomes.size(), [&](World& world, std::size_t i) {
-    const Behavior behavior(world.robot(), canonical(genomes[i]), options);
+    const Behavior behavior(world.robot(), genomes[i], options);
     paths[i] = basePath(world, behavior, options.command_period_s, between);
   });
   return paths;

@@ -42,11 +42,22 @@ void addDiscs(const Shape& shape, const Eigen::Isometry3d& frame_from_shape,
   }
 }
 
-/// Joint angles with both signals of every leg at the given values.
-std::vector<double> anglesAt(const RobotDescription& robot, double first, double second) {
+/// The next of all combinations of steps of the signals of a leg; false after the last one. Beyond
+/// the first two, whose joints turn and lift a leg, signals have their extremes and the middle.
+bool goOn(std::vector<int>& steps) {
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    steps[i] += i < 2 ? 1 : kSignalSteps;
+    if (steps[i] <= kSignalSteps) return true;
+    steps[i] = -kSignalSteps;
+  }
+  return false;
+}
+
+/// Joint angles with the signals of every leg at the given steps.
+std::vector<double> anglesAt(const RobotDescription& robot, const std::vector<int>& steps) {
   std::vector<double> angles_rad;
   for (const Joint* joint : robot.joints()) {
-    const double signal = joint->signal == Signal::kFirst ? first : second;
+    const double signal = steps[static_cast<std::size_t>(joint->signal) - 1] / double{kSignalSteps};
     angles_rad.push_back(std::clamp(joint->neutral_rad + joint->amplitude_rad * signal,
                                     joint->lower_rad, joint->upper_rad));
   }
@@ -78,19 +89,17 @@ Footprint sweptFootprint(const RobotDescription& robot) {
   std::vector<Eigen::Vector2d> rim;
   // The corners of a polygon around a disc.
   const double outside = 1.0 / std::cos(M_PI / kRimPoints);
-  for (int first = -kSignalSteps; first <= kSignalSteps; ++first) {
-    for (int second = -kSignalSteps; second <= kSignalSteps; ++second) {
-      const std::vector<double> angles_rad =
-          anglesAt(robot, first / double{kSignalSteps}, second / double{kSignalSteps});
-      for (const Disc& disc : coveredDiscs(robot, Eigen::Isometry3d::Identity(), angles_rad)) {
-        for (int i = 0; i < kRimPoints; ++i) {
-          const double turn = 2.0 * M_PI * i / kRimPoints;
-          rim.emplace_back(disc.x_m + outside * disc.radius_m * std::cos(turn),
-                           disc.y_m + outside * disc.radius_m * std::sin(turn));
-        }
+  std::vector<int> steps(robot.signalsPerLeg(), -kSignalSteps);
+  do {
+    const std::vector<double> angles_rad = anglesAt(robot, steps);
+    for (const Disc& disc : coveredDiscs(robot, Eigen::Isometry3d::Identity(), angles_rad)) {
+      for (int i = 0; i < kRimPoints; ++i) {
+        const double turn = 2.0 * M_PI * i / kRimPoints;
+        rim.emplace_back(disc.x_m + outside * disc.radius_m * std::cos(turn),
+                         disc.y_m + outside * disc.radius_m * std::sin(turn));
       }
     }
-  }
+  } while (goOn(steps));
   return coverWithDiscs(rim);
 }
 

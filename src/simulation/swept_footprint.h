@@ -16,7 +16,7 @@ std::vector<Disc> coveredDiscs(const RobotDescription& robot,
                                const std::vector<double>& angles_rad);
 
 /// What body and feet sweep over all gaits while the base is level: every leg at all values of its
-/// two signals.
+/// signals.
 Footprint sweptFootprint(const RobotDescription& robot);
 
 }  // namespace hexapod

@@ -37,9 +37,10 @@ RunResult performRun(const RobotDescription& robot, const StudyOptions& options,
   const EngineChoice engine = chooseEngine(options.engine, robot);
   BehaviorEvaluator simulator(std::make_shared<WorldPool>(engine.engine, robot, physics, 1),
                               options.behavior);
-  CachedEvaluator evaluator(simulator, kCachedGenomes);
+  const GenomeSpace gaits = gaitsOf(robot, options.behavior);
+  CachedEvaluator evaluator(simulator, kCachedGenomes, gaits);
   const Method method =
-      makeMethod(plan.algorithm, {robot.geneCount(), evaluator.looks(), symmetriesOf(robot)},
+      makeMethod(plan.algorithm, {gaits, evaluator.looks(), symmetriesOf(robot, gaits.levels)},
                  options, Random(static_cast<std::uint64_t>(plan.seed)));
   const EvolutionCounters& counters = method.algorithm->counters();
   RunRecorder recorder(folder);

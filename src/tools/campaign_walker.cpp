@@ -84,8 +84,7 @@ Pose2 CampaignWalker::measuredPose() {
 }
 
 Outcome CampaignWalker::playEntry(std::size_t entry) {
-  const Behavior behavior(world_.robot(), canonical(repertoire_.entries[entry].genome),
-                          learned_.behavior);
+  const Behavior behavior(world_.robot(), repertoire_.entries[entry].genome, learned_.behavior);
   return play(world_, behavior, learned_.behavior.command_period_s);
 }
 

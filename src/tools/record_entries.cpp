@@ -135,7 +135,7 @@ void print(std::ostream& out, const Repertoire& repertoire, const RecordOptions&
   Pose2 world_from_start;
   bool is_first = true;
   for (const Entry& entry : chosenEntries(repertoire, options.entries)) {
-    const Behavior behavior(robot, canonical(entry.genome), learned.behavior);
+    const Behavior behavior(robot, entry.genome, learned.behavior);
     out << (is_first ? "\n" : ",\n");
     world_from_start =
         print(out, robot, entry, record(*world, behavior, period_s), world_from_start);

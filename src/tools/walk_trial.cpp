@@ -33,7 +33,7 @@ class Walker {
 
   /// False when the robot fell, or whatever else is no walking.
   bool play(const Genome& genome) {
-    const Behavior behavior(world_.robot(), canonical(genome), behavior_);
+    const Behavior behavior(world_.robot(), genome, behavior_);
     const std::size_t steps = stepsPerCommand(behavior_.command_period_s, world_.physics().step_s);
     for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
       world_.setTargets(behavior.command(k));

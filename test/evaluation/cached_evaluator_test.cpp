@@ -45,6 +45,8 @@ std::vector<Symmetry> mirrors() {
   return {Symmetry(1, -1, sides), Symmetry(-1, 1, ends), Symmetry(-1, -1, both)};
 }
 
+const GenomeSpace kGaits = 16;
+
 std::vector<Genome> someGenomes(std::size_t count, std::uint64_t seed) {
   Random random(seed);
   std::vector<Genome> genomes(count, Genome(16));
@@ -65,7 +67,7 @@ void expectSame(const Outcome& a, const Outcome& b) {
 TEST(CachedEvaluator, GivesTheOutcomesOfTheEvaluatorBehindIt) {
   AnalyticEvaluator plain(7, 16);
   Witness witness;
-  CachedEvaluator cached(witness, 1000);
+  CachedEvaluator cached(witness, 1000, kGaits);
   for (int round = 0; round < 2; ++round) {
     for (const Genome& genome : someGenomes(50, 1)) {
       expectSame(cached.evaluate({genome})[0], plain.outcomeOf(canonical(genome)));
@@ -78,7 +80,7 @@ TEST(CachedEvaluator, GivesTheOutcomesOfTheEvaluatorBehindIt) {
 
 TEST(CachedEvaluator, AsksOnceForEqualGaitsOfOneBatch) {
   Witness witness;
-  CachedEvaluator cached(witness, 0);
+  CachedEvaluator cached(witness, 0, kGaits);
   Genome genome(16, 0);
   Genome same_gait = genome;
   same_gait[1] = 3;  // phase of a zero amplitude
@@ -88,9 +90,44 @@ TEST(CachedEvaluator, AsksOnceForEqualGaitsOfOneBatch) {
   expectSame(outcomes[0], outcomes[1]);
 }
 
+/// Ends where its genes say, whatever else is the same.
+class Numbers : public Evaluator {
+ public:
+  std::vector<Outcome> evaluate(const std::vector<Genome>& genomes) override {
+    std::vector<Outcome> outcomes;
+    for (const Genome& genome : genomes) {
+      outcomes.push_back({Verdict::kWalked, {1.0 * genome[0], 1.0 * genome[1], 0.0}, 0.0});
+    }
+    return outcomes;
+  }
+};
+
+TEST(CachedEvaluator, KeepsGenotypesOfAnotherTaskApart) {
+  Numbers numbers;
+  CachedEvaluator cached(numbers, 1000, GenomeSpace(2, 101));
+  // As gaits the first three would be one, and the last two.
+  const std::vector<Genome> genomes = {{0, 0}, {0, 3}, {0, 100}, {7, 4}, {7, 0}};
+  for (int round = 0; round < 2; ++round) {
+    const std::vector<Outcome> outcomes = cached.evaluate(genomes);
+    for (std::size_t i = 0; i < genomes.size(); ++i) {
+      EXPECT_EQ(outcomes[i].end_pose.x_m, genomes[i][0]);
+      EXPECT_EQ(outcomes[i].end_pose.y_m, genomes[i][1]);
+    }
+  }
+  EXPECT_EQ(cached.counts().passed_on, 5);
+}
+
+TEST(CachedEvaluator, MergesGaitsOfMoreLevels) {
+  Numbers numbers;
+  CachedEvaluator cached(numbers, 1000, gaits(2, 253));
+  // Level 4 is a phase of its own, 252 a whole period.
+  cached.evaluate({{9, 0}, {9, 252}, {9, 4}, {0, 17}, {0, 0}});
+  EXPECT_EQ(cached.counts().passed_on, 3);
+}
+
 TEST(CachedEvaluator, AnswersForAllMirrorImagesFromOneSimulation) {
   Witness witness;
-  CachedEvaluator cached(witness, 1000, mirrors());
+  CachedEvaluator cached(witness, 1000, kGaits, mirrors());
   for (const Genome& genome : someGenomes(20, 2)) {
     const std::int64_t before = cached.counts().passed_on;
     const Outcome outcome = cached.evaluate({genome})[0];
@@ -104,8 +141,8 @@ TEST(CachedEvaluator, AnswersForAllMirrorImagesFromOneSimulation) {
 TEST(CachedEvaluator, DoesNotDependOnWhatWasAskedBefore) {
   Witness first;
   Witness second;
-  CachedEvaluator forward(first, 1000, mirrors());
-  CachedEvaluator backward(second, 1000, mirrors());
+  CachedEvaluator forward(first, 1000, kGaits, mirrors());
+  CachedEvaluator backward(second, 1000, kGaits, mirrors());
   std::vector<Genome> genomes = someGenomes(20, 3);
   for (const Symmetry& mirror : mirrors()) genomes.push_back(mirror.image(genomes[0]));
   std::vector<Genome> reversed(genomes.rbegin(), genomes.rend());
@@ -119,7 +156,7 @@ TEST(CachedEvaluator, DoesNotDependOnWhatWasAskedBefore) {
 TEST(CachedEvaluator, RemembersNoMoreThanItsCapacityAndForgetsTheOldest) {
   Witness witness;
   witness.forgetful = true;
-  CachedEvaluator cached(witness, 10);
+  CachedEvaluator cached(witness, 10, kGaits);
   const auto genomes = someGenomes(11, 4);
   for (const Genome& genome : genomes) cached.evaluate({genome});
   EXPECT_EQ(cached.size(), 10u);
@@ -132,7 +169,7 @@ TEST(CachedEvaluator, RemembersNoMoreThanItsCapacityAndForgetsTheOldest) {
 
 TEST(CachedEvaluator, CachesSecondLooksTooAndHandsThemTheFirst) {
   Witness witness;
-  CachedEvaluator cached(witness, 1000, mirrors());
+  CachedEvaluator cached(witness, 1000, kGaits, mirrors());
   EXPECT_EQ(cached.looks(), 2);
   for (const Genome& genome : someGenomes(20, 5)) {
     const int before = witness.second_looks;

@@ -34,7 +34,7 @@ TEST(EngineAgreement, HoldsWhereOdesSolverGivesUpOnATie) {
   OdeWorld ode(robot, Physics());
   ReducedWorld reduced(robot, Physics());
   for (const char* digits : {"202040400020000000433000", "002022403012102200430010"}) {
-    const Behavior behavior(robot, genomeFromString(digits, 24), BehaviorOptions());
+    const Behavior behavior(robot, genomeFromString(digits), BehaviorOptions());
     ASSERT_TRUE(play(ode, behavior, 0.030).walked());
     ASSERT_TRUE(play(reduced, behavior, 0.030).walked());
     const Pose2 expected = footprint(ode.worldFromBase()), end = footprint(reduced.worldFromBase());
@@ -45,8 +45,7 @@ TEST(EngineAgreement, HoldsWhereOdesSolverGivesUpOnATie) {
 
 TEST(EngineAgreement, RepeatsAStepThatWasGivenUpTheSameWayEveryTime) {
   const RobotDescription robot = robotWithTies();
-  const Behavior behavior(robot, genomeFromString("202040400020000000433000", 24),
-                          BehaviorOptions());
+  const Behavior behavior(robot, genomeFromString("202040400020000000433000"), BehaviorOptions());
   OdeWorld world(robot, Physics());
   std::vector<std::vector<double>> ends;
   for (int run = 0; run < 2; ++run) {

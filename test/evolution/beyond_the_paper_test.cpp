@@ -114,7 +114,10 @@ TEST(ArchiveParents, AreAsManyAsTheShareAsksFor) {
   EvolutionState state = evolution.state();
   const Genome outsider(kGenes, 1);
   ASSERT_FALSE(evolution.archive().contains(outsider));
-  for (Individual& individual : state.population) individual.genotype = outsider;
+  for (Individual& individual : state.population) {
+    individual.id = state.next_id++;
+    individual.genotype = outsider;
+  }
   EvolutionOptions options;
   options.mutation_rate = 0.0;
   const std::map<double, std::pair<int, int>> allowed = {

@@ -67,9 +67,26 @@ TEST(EvolutionState, SurvivesInfinityAndTheFallen) {
   ASSERT_EQ(back.population.size(), 1U);
   EXPECT_EQ(back.population[0].outcome.verdict, Verdict::kSelfCollided);
   EXPECT_EQ(back.population[0].genotype, (Genome{0, 1, 2, 3}));
-  EXPECT_EQ(back.population[0].genome, (Genome{0, 0, 2, 3}));
   EXPECT_EQ(back.population[0].standing.rank, 3U);
   EXPECT_EQ(back.population[0].standing.diversity, std::numeric_limits<double>::infinity());
+}
+
+TEST(EvolutionState, OfAnotherTaskGoesOnWithItsOwnGenotypes) {
+  // As gaits {0, 3} and {0, 7} were one; here they are two, of levels beyond a digit.
+  const Task task(GenomeSpace(2, 101));
+  AnalyticEvaluator evaluator(7, 2);
+  EvolutionOptions options;
+  options.population_size = 10;
+  BrEvolution undisturbed(options, task, Random(24));
+  for (int generation = 0; generation < 9; ++generation) advance(undisturbed, evaluator);
+  BrEvolution first(options, task, Random(24));
+  for (int generation = 0; generation < 4; ++generation) advance(first, evaluator);
+  BrEvolution second(options, task, throughText(first.state()));
+  for (const Individual& individual : second.population()) {
+    EXPECT_EQ(individual.genome, individual.genotype);
+  }
+  for (int generation = 4; generation < 9; ++generation) advance(second, evaluator);
+  EXPECT_EQ(toTexts(second.state()), toTexts(undisturbed.state()));
 }
 
 TEST(EvolutionState, RefusesTextsThatAreDamaged) {

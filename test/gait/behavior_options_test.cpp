@@ -81,7 +81,7 @@ TEST(BehaviorOptions, ReturnFasterThanAJointIsRefusedNamingBoth) {
 TEST(BehaviorOptions, AreDeclaredOnceWithTheirDefaults) {
   BehaviorOptions options;
   const std::vector<Option> declared = declareOptions(options);
-  ASSERT_EQ(declared.size(), 6u);
+  ASSERT_EQ(declared.size(), 7u);
   applyOptions(declared,
                {{"gait_duration_s", 1.5},
                 {"end_pose", std::string("after_gait")},

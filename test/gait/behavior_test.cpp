@@ -114,15 +114,44 @@ TEST(Behavior, CommandsAreClampedToThePositionLimits) {
   EXPECT_EQ(behavior.command(8)[0], 0.2);
 }
 
-TEST(Behavior, EqualGaitsHaveEqualCommandsOnceCanonical) {
+TEST(Behavior, EqualGaitsHaveEqualCommands) {
   const RobotDescription robot = shipped();
   Genome genome(24, 2);
   genome[1] = 0;
   Genome same = genome;
   same[1] = 4;
-  const Behavior a(robot, canonical(genome), BehaviorOptions());
-  const Behavior b(robot, canonical(same), BehaviorOptions());
+  const Behavior a(robot, genome, BehaviorOptions());
+  const Behavior b(robot, same, BehaviorOptions());
   for (std::size_t k = 0; k < a.commandCount(); ++k) EXPECT_EQ(a.command(k), b.command(k));
+}
+
+TEST(Behavior, MadeAloneOrAmongManyIsTheSame) {
+  const RobotDescription robot = shipped();
+  Random random(8);
+  for (const std::int64_t levels : {5, 253}) {
+    BehaviorOptions options;
+    options.gene_levels = levels;
+    const BehaviorMaker maker(robot, options);
+    for (int i = 0; i < 10; ++i) {
+      Genome genome(24);
+      for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(levels));
+      const Behavior alone(robot, genome, options);
+      const Behavior among = maker.make(genome);
+      ASSERT_EQ(alone.commandCount(), among.commandCount());
+      for (std::size_t k = 0; k < alone.commandCount(); ++k) {
+        EXPECT_EQ(alone.command(k), among.command(k));
+      }
+    }
+  }
+}
+
+TEST(Behavior, LevelsThatMakeNoGaitAreRefused) {
+  BehaviorOptions options;
+  for (const std::int64_t levels : {0, 4, 6, 254}) {
+    options.gene_levels = levels;
+    EXPECT_NE(complaintOf([&] { Behavior(shipped(), Genome(24, 0), options); }).find("gene_levels"),
+              std::string::npos);
+  }
 }
 
 TEST(Behavior, MovesAQuadrupedOfTwoJointsPerLeg) {

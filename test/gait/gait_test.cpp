@@ -66,6 +66,36 @@ TEST(Gait, MovesAQuadrupedOfTwoJointsPerLeg) {
   }
 }
 
+TEST(Gait, ALegOfFourJointsMayHaveAThirdSignal) {
+  RobotDescription robot = madeRobot(4, 4);
+  for (Leg& leg : robot.legs) leg.segments[3].joint.signal = static_cast<Signal>(3);
+  EXPECT_EQ(robot.signalsPerLeg(), 3u);
+  EXPECT_EQ(robot.genesPerLeg(), 6u);
+  Genome genome(24, 0);
+  genome[6 * 1 + 4] = 4;  // leg 1, amplitude 3
+  genome[6 * 1 + 5] = 1;  // a quarter of a period ahead
+  const std::vector<double> angles = anglesAt(robot, genome, 0.0);
+  for (std::size_t j = 0; j < 16; ++j) {
+    EXPECT_NEAR(angles[j], j == 7 ? 0.1 + M_PI / 4 * std::tanh(4.0) : 0.1, 1e-12) << j;
+  }
+}
+
+TEST(Gait, OfMoreLevelsHasAmplitudesAndPhasesBetweenTheFive) {
+  const RobotDescription robot = madeRobot(1, 1);
+  std::vector<double> angles;
+  // Of 252 steps: an amplitude of 63 + 21, a phase of 21 / 252 = 1 / 12 of a period.
+  Gait(robot, {84, 21, 0, 0}, 253).angles(0.0, angles);
+  EXPECT_NEAR(angles[0], 0.1 + M_PI / 8 / 3.0 * std::tanh(4.0 * std::sin(M_PI / 6)), 1e-12);
+  std::vector<double> five, same;
+  for (const double time_s : {0.0, 0.31, 1.7}) {
+    Gait(robot, {3, 1, 0, 0}).angles(time_s, five);
+    Gait(robot, {189, 63, 0, 0}, 253).angles(time_s, same);
+    EXPECT_EQ(five, same);
+    Gait(robot, {189, 63, 0, 0}, 253).angles(gaitSignals(time_s, 253), same);
+    EXPECT_EQ(five, same);
+  }
+}
+
 TEST(Gait, GenomeThatDoesNotFitIsRefused) {
   const RobotDescription robot = madeRobot(4, 2);
   const auto said = [&](const Genome& genome) { return complaintOf([&] { Gait(robot, genome); }); };

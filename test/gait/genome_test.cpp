@@ -21,27 +21,54 @@ TEST(Genome, TextRoundTrips) {
   Random random(1);
   for (int i = 0; i < 100; ++i) {
     const Genome genome = randomGenome(24, random);
-    EXPECT_EQ(genomeFromString(toString(genome), 24), genome);
+    EXPECT_EQ(genomeFromString(toString(genome)), genome);
   }
-  EXPECT_EQ(genomeFromString("", 0), Genome{});
+  EXPECT_EQ(genomeFromString(""), Genome{});
 }
 
-TEST(Genome, TextThatIsNoGenomeIsRefusedWithPositionOrCount) {
-  const auto said = [](const std::string& digits) {
-    return complaintOf([&] { genomeFromString(digits, 8); });
+TEST(Genome, TextRoundTripsForLevelsOfAnyNumber) {
+  EXPECT_EQ(toString(Genome{0, 9}), "09");
+  EXPECT_EQ(toString(Genome{0, 10, 252}), "x000afc");
+  Random random(3);
+  for (const std::uint64_t levels : {9u, 10u, 11u, 101u, 253u, 256u}) {
+    for (int i = 0; i < 100; ++i) {
+      Genome genome(random.below(30));
+      for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(levels));
+      EXPECT_EQ(genomeFromString(toString(genome)), genome);
+    }
+  }
+}
+
+TEST(Genome, TextThatIsNoGenomeIsRefusedWithItsPosition) {
+  const auto said = [](const std::string& text) {
+    return complaintOf([&] { genomeFromString(text); });
   };
-  EXPECT_NE(said("0123400").find("7 characters; expected 8"), std::string::npos);
-  EXPECT_NE(said("012340044").find("9 characters; expected 8"), std::string::npos);
-  EXPECT_NE(said("01254004").find("Gene 3"), std::string::npos);
-  EXPECT_NE(said("0123 004").find("Gene 4"), std::string::npos);
-  EXPECT_NE(said("0123400\xff").find("Gene 7"), std::string::npos);
-  EXPECT_NE(said("-1234004").find("Gene 0"), std::string::npos);
+  EXPECT_NE(said("0123 004").find("position 4"), std::string::npos);
+  EXPECT_NE(said("0123400\xff").find("position 7"), std::string::npos);
+  EXPECT_NE(said("-1234004").find("position 0"), std::string::npos);
+  EXPECT_NE(said("012a").find("position 3"), std::string::npos);
+  EXPECT_NE(said("x0a0").find("position 4 its end"), std::string::npos);
+  EXPECT_NE(said("x0A").find("position 2"), std::string::npos);
+}
+
+TEST(Genome, MoreLevelsAreFinerStepsOfTheSameValues) {
+  EXPECT_EQ(geneValue(63, 253), 0.25);
+  EXPECT_EQ(geneValue(252, 253), 1.0);
+  EXPECT_EQ(withLevels({0, 1, 2, 3, 4}, 5, 253), (Genome{0, 63, 126, 189, 252}));
+  EXPECT_EQ(withLevels({0, 1, 4}, 5, 5), (Genome{0, 1, 4}));
+  EXPECT_THROW(withLevels({0, 1}, 253, 5), std::invalid_argument);
+  EXPECT_THROW(withLevels({0, 1}, 9, 13), std::invalid_argument);
+  for (const std::int64_t levels : {5, 9, 253}) EXPECT_NO_THROW(requireGeneLevels(levels));
+  for (const std::int64_t levels : {-3, 0, 1, 6, 7, 8, 256, 257}) {
+    EXPECT_THROW(requireGeneLevels(levels), std::invalid_argument) << levels;
+  }
 }
 
 TEST(Genome, CanonicalDropsWholePeriodsAndPhasesOfSilence) {
   EXPECT_EQ(canonical(Genome{1, 4, 2, 3}), (Genome{1, 0, 2, 3}));
   EXPECT_EQ(canonical(Genome{0, 3, 0, 4}), (Genome{0, 0, 0, 0}));
   EXPECT_EQ(canonical(Genome{4, 1, 0, 2}), (Genome{4, 1, 0, 0}));
+  EXPECT_EQ(canonical(Genome{7, 4, 1, 8, 0, 5}, 9), (Genome{7, 4, 1, 0, 0, 0}));
 }
 
 TEST(Genome, CanonicalGenomesAreTheSmallestSetOfDifferentGaits) {

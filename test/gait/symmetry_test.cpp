@@ -78,6 +78,37 @@ TEST(Symmetry, OfAnImageIsTheGenomeAgain) {
   }
 }
 
+TEST(Symmetry, ShiftsByHalfAPeriodInWhateverLevels) {
+  const Symmetry left_right = symmetriesOf(fourOars(), 253)[0];
+  Genome genome(16, 0);
+  genome[0] = 17;
+  genome[1] = 130;
+  // A period is 252 steps: 130 + 126 = 256, which is 4 steps into the next one.
+  EXPECT_EQ(left_right.image(genome), (Genome{0, 0, 0, 0, 0, 0, 0, 0, 17, 4, 0, 0, 0, 0, 0, 0}));
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    Genome drawn(16);
+    for (auto& level : drawn) level = static_cast<std::uint8_t>(random.below(253));
+    EXPECT_EQ(left_right.image(left_right.image(drawn)), canonical(drawn, 253));
+  }
+}
+
+TEST(Symmetry, ExchangesAllSignalsOfALeg) {
+  RobotDescription robot = fourOars();
+  for (Leg& leg : robot.legs) leg.segments[0].joint.signal = static_cast<Signal>(3);
+  ASSERT_EQ(robot.geneCount(), 24u);
+  const Symmetry left_right = symmetriesOf(robot)[0];
+  EXPECT_EQ(left_right.legs()[0].half_period, (std::vector<bool>{false, false, true}));
+  Genome genome(24, 0);
+  genome[2] = genome[4] = 3;  // leg 0: amplitude 2, amplitude 3
+  genome[3] = genome[5] = 1;
+  Genome expected(24, 0);
+  expected[14] = expected[16] = 3;  // leg 2
+  expected[15] = 1;
+  expected[17] = 3;
+  EXPECT_EQ(left_right.image(genome), expected);
+}
+
 TEST(Symmetry, MirrorsEndPosesAndNothingElseOfAnOutcome) {
   const auto symmetries = symmetriesOf(fourOars());
   const Outcome outcome = walkedTo({0.3, 0.1, 0.5});

@@ -204,7 +204,7 @@ TEST(DistributedEvaluator, IsCancelledByAWorkerThatIsAskedToStop) {
 }
 
 TEST(WorkMessage, ReadsBackWhatWasWritten) {
-  const Questions task{3, {{0, 1, 2}, {}, {4}}, Analytic().evaluate(someGenomes(3))};
+  const Questions task{3, {{0, 1, 2}, {}, {4, 10, 252, 255}}, Analytic().evaluate(someGenomes(3))};
   const Questions read = questionsFrom(toMessage(task));
   EXPECT_EQ(read.look, 3);
   EXPECT_EQ(read.genomes, task.genomes);

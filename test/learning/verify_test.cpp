@@ -19,7 +19,7 @@ std::vector<Genome> someGenomes() {
   std::vector<Genome> genomes;
   for (const char* digits : {"404240424042424040424042", "202040400020000000433000",
                              "000000000000000000000000", "310420134210123412341234"}) {
-    genomes.push_back(genomeFromString(digits, 24));
+    genomes.push_back(genomeFromString(digits));
   }
   return genomes;
 }

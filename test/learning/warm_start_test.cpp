@@ -90,20 +90,37 @@ TEST_F(WarmStartTest, GoesOnAsIfItHadNotBeenStopped) {
 
 TEST_F(WarmStartTest, ASecondStartWithTheSameEntriesIsTheSameRun) {
   const Repertoire old = learned(smallRun("old.db"));
-  const WarmStart start = warmStart(robot_, old, "it");
-  EXPECT_EQ(start.name, warmStart(robot_, smallRun("old.db").repertoire_file).name);
+  const WarmStart start = warmStart(robot_, old, "it", 5);
+  EXPECT_EQ(start.name, warmStart(robot_, smallRun("old.db").repertoire_file, 5).name);
   Repertoire less = old;
   less.entries.pop_back();
-  EXPECT_NE(warmStart(robot_, less, "it").name, start.name);
+  EXPECT_NE(warmStart(robot_, less, "it", 5).name, start.name);
+}
+
+TEST_F(WarmStartTest, AContinuousRunBeginsWithEntriesOfTheFiveLevels) {
+  const Repertoire old = learned(smallRun("old.db"));
+  LearnOptions options = smallRun("new.db");
+  options.from = smallRun("old.db").repertoire_file;
+  options.behavior.gene_levels = 253;
+  options.evaluations = static_cast<std::int64_t>(old.entries.size());
+  const Repertoire begun = learned(options);
+  EXPECT_FALSE(begun.entries.empty());
+  for (const Entry& entry : begun.entries) {
+    for (const auto level : entry.genome) EXPECT_EQ(level % 63, 0);
+  }
+  LearnOptions back = smallRun("back.db");
+  back.from = options.repertoire_file;
+  EXPECT_TRUE(mentions(complaintOf([&] { learn(back); }), "cannot be told in 5"));
 }
 
 TEST_F(WarmStartTest, SaysWhyARunCannotBeginSo) {
   Repertoire none;
-  EXPECT_TRUE(mentions(complaintOf([&] { warmStart(robot_, none, "x.db"); }), "x.db: it has none"));
+  EXPECT_TRUE(
+      mentions(complaintOf([&] { warmStart(robot_, none, "x.db", 5); }), "x.db: it has none"));
   Repertoire other;
   other.entries.resize(1);
   other.entries[0].genome = Genome(16, 0);
-  EXPECT_TRUE(mentions(complaintOf([&] { warmStart(robot_, other, "x.db"); }), "16 genes"));
+  EXPECT_TRUE(mentions(complaintOf([&] { warmStart(robot_, other, "x.db", 5); }), "16 genes"));
   LearnOptions options = smallRun("new.db");
   options.body = "tail: limp";
   EXPECT_TRUE(mentions(complaintOf([&] { learn(options); }), "'tail' is nothing of a body"));

@@ -13,7 +13,7 @@ int printOutcome(const std::string& urdf, const std::string& yaml, const std::st
                  int steps) {
   const RobotDescription robot = loadRobot(urdf, yaml);
   const BehaviorOptions options;
-  const Genome genome = canonical(genomeFromString(digits, robot.geneCount()));
+  const Genome genome = genomeFromString(digits);
   const auto world = makeWorld(Engine::kOde, robot, Physics());
   world->restart();
   for (int i = 0; i < steps; ++i) world->step();

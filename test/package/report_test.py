@@ -110,6 +110,14 @@ def test_signals_are_those_of_the_genes(file):
     assert len(stored.signals(0)) == 6
 
 
+def test_signals_of_more_levels(file):
+    with sqlite3.connect(file) as database:
+        database.execute("INSERT INTO meta VALUES ('option.gene_levels', '253')")
+        database.execute("UPDATE entries SET genome = 'x7e3ffc04' WHERE id = 1")
+    database.close()
+    assert repertoire_data.load(file).signals(0) == [(0.5, 63 / 252), (1.0, 4 / 252)]
+
+
 def test_measures_of_known_entries(file):
     values = {label: value(repertoire_data.load(file)) for label, value in report.MEASURES}
     assert values["entries"] == "2" and values["seed"] == "7"

@@ -19,11 +19,22 @@ def simulation(robot):
     return hr.Simulation(robot, **PAPER)
 
 
-@pytest.fixture(scope="session")
-def gaits(tmp_path_factory):
-    """A repertoire of the program evolve: the paper's preset, 550 candidates, seed 3."""
-    file = tmp_path_factory.mktemp("gaits") / "gaits.db"
+def evolved_by_program(file, *options):
+    """A repertoire of the program evolve: the paper's preset, seed 3, neither verified nor tried."""
     subprocess.run([os.environ["EVOLVE"], "--file", str(file), "--preset", "paper", "--seed", "3",
-                    "--evaluations", "550", "--resimulate", "false", "--verify_with_ode", "false"],
+                    "--resimulate", "false", "--verify_with_ode", "false", *options],
                    check=True, stdout=subprocess.DEVNULL)
     return file
+
+
+@pytest.fixture(scope="session")
+def gaits(tmp_path_factory):
+    """550 candidates."""
+    return evolved_by_program(tmp_path_factory.mktemp("gaits") / "gaits.db", "--evaluations", "550")
+
+
+@pytest.fixture(scope="session")
+def continuous_gaits(tmp_path_factory):
+    """250 candidates of 253 levels."""
+    return evolved_by_program(tmp_path_factory.mktemp("continuous") / "gaits.db",
+                              "--evaluations", "250", "--gene_levels", "253")

@@ -3,6 +3,7 @@ import numpy as np
 import pytest
 
 import hexapod_repertoire as hr
+from conftest import PAPER
 
 
 def evolved(robot, simulation, name, evaluations, **options):
@@ -20,6 +21,23 @@ def test_the_same_run_as_the_programs(robot, simulation, gaits):
     assert np.array_equal(algorithm.genomes[by_id], repertoire.genomes)
     for field in ("id", "x_m", "y_m", "yaw_rad", "orientation_error_rad", "cost", "evaluation"):
         assert np.array_equal(algorithm.entries[field][by_id], repertoire.entries[field]), field
+
+
+def test_the_same_run_as_the_programs_with_continuous_gaits(robot, continuous_gaits):
+    repertoire = hr.load(continuous_gaits)
+    assert repertoire.gene_levels == 253 and repertoire.genomes.max() > 9
+    simulation = hr.Simulation(robot, gene_levels=253, **PAPER)
+    algorithm = evolved(robot, simulation, "br_evolution", 250, seed=3, gene_levels=253)
+    by_id = np.argsort(algorithm.entries["id"])
+    assert np.array_equal(algorithm.genomes[by_id], repertoire.genomes)
+    assert np.array_equal(algorithm.entries["x_m"][by_id], repertoire.entries["x_m"])
+    with pytest.raises(ValueError, match="gene_levels is 6"):
+        hr.Algorithm("map_elites", robot, gene_levels=6)
+
+
+def test_continuous_gaits_have_the_five_levels_among_them(robot):
+    five = np.arange(24) % 5
+    assert np.array_equal(hr.commands(robot, 63 * five, gene_levels=253), hr.commands(robot, five))
 
 
 @pytest.mark.parametrize("name", hr.algorithm_names())

@@ -31,6 +31,20 @@ TEST(ExportCsv, WritesOneLinePerEntryByIdAndLeavesOutWhatIsNotKnown) {
             "2,01234000,-0.5,0,-0.125,0.125,1.5,1234,,,,,,0,0\n");
 }
 
+TEST(ExportCsv, WritesGenomesThatReadBackWhateverTheirLevels) {
+  Repertoire repertoire;
+  repertoire.options["gene_levels"] = "253";
+  Entry entry;
+  entry.id = 1;
+  entry.genome = {0, 252, 17, 126};
+  repertoire.entries = {entry};
+  std::ostringstream out;
+  exportCsv(repertoire, out);
+  const std::string text = out.str();
+  EXPECT_NE(text.find("\n1,x00fc117e,"), std::string::npos) << text;
+  EXPECT_EQ(genomeFromString("x00fc117e"), entry.genome);
+}
+
 TEST(ExportCsv, IsTheSameInEveryLocale) {
   std::ostringstream plain;
   exportCsv(sampleRepertoire(), plain);

@@ -119,14 +119,24 @@ TEST_F(DamagedFile, AViewInThePlaceOfATableIsRefused) {
 
 TEST_F(DamagedFile, IllegalGenesAreNamed) {
   edit("UPDATE entries SET genome = '012345' || substr(genome, 7) WHERE id = 7");
-  expectComplaint({"entry 7", "0-4", "012345"});
+  expectComplaint({"entry 7", "level 5", "0 to 4"});
+  edit("UPDATE entries SET genome = 'x0g' WHERE id = 7");
+  expectComplaint({"entry 7", "genome", "'x0g'", "hexadecimal"});
 }
 
 TEST_F(DamagedFile, AWrongNumberOfGenesIsNamed) {
   edit("UPDATE entries SET genome = '0123' WHERE id = 8");
-  expectComplaint({"entry 8", "24", "'0123'"});
+  expectComplaint({"entry 8", "4 genes", "24"});
   edit("UPDATE meta SET value = '4000000000' WHERE key = 'gene_count'");
   expectComplaint({"4000000000"});
+}
+
+TEST_F(DamagedFile, LevelsThatAreNoNumberAreNamed) {
+  for (const char* levels : {"many", "0", "257", ""}) {
+    edit(std::string("INSERT OR REPLACE INTO meta VALUES ('option.gene_levels', '") + levels +
+         "')");
+    expectComplaint({"gene_levels", std::string("'") + levels + "'"});
+  }
 }
 
 TEST_F(DamagedFile, PosesThatAreNotFiniteAreNamed) {

@@ -179,5 +179,21 @@ TEST(RepertoireFile, DigestTellsEveryChangeOfAnEntryButNotTheirOrder) {
   EXPECT_NE(digestOf(changed), digest);
 }
 
+TEST(GeneLevels, OfAnyNumberAreKept) {
+  const TemporaryFolder folder;
+  for (const std::uint64_t levels : {9u, 101u, 253u, 256u}) {
+    Random random(5);
+    Repertoire saved = sampleRepertoire();
+    saved.options["gene_levels"] = std::to_string(levels);
+    for (Entry& entry : saved.entries) {
+      for (auto& level : entry.genome) level = static_cast<std::uint8_t>(random.below(levels));
+    }
+    saveRepertoire(folder.file("levels.db"), saved, {});
+    const Repertoire loaded = loadRepertoire(folder.file("levels.db"));
+    expectEqual(loaded, saved);
+    EXPECT_EQ(loaded.geneLevels(), levels);
+  }
+}
+
 }  // namespace
 }  // namespace hexapod

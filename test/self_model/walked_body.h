@@ -80,7 +80,7 @@ inline std::vector<Genome> walkingGaits() {
   std::vector<Genome> gaits;
   for (const char* digits : {"220011301000404132214310", "211030214241220033301000",
                              "404142214310220021301200", "404132114310200011301300"}) {
-    gaits.push_back(genomeFromString(digits, 24));
+    gaits.push_back(genomeFromString(digits));
   }
   return gaits;
 }

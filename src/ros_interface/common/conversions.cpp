@@ -103,9 +103,11 @@ Repertoire fromMsg(const hexapod_repertoire::Repertoire& message) {
     repertoire.options[message.option_names[i]] = message.option_values[i];
   }
   std::set<std::int64_t> ids;
+  const GenomeShape shape{message.entries.empty() ? 0 : message.entries.front().genome.size(),
+                          repertoire.geneLevels()};
   for (const auto& entry_message : message.entries) {
     Entry entry = fromMsg(entry_message);
-    std::string problem = problemOf(entry, message.entries.front().genome.size());
+    std::string problem = problemOf(entry, shape);
     if (!ids.insert(entry.id).second) problem = "stands there twice";
     if (!problem.empty()) {
       throw std::invalid_argument("The repertoire message of run '" + message.run_id +

@@ -29,8 +29,8 @@ std::vector<Option> declareOptions(ExecutorNodeOptions& options) {
              "not make commands late; where it refuses, say so and go on."),
   };
   for (const Option& option : declareOptions(options.executor)) all.push_back(option);
-  for (Option option : declareTimingOptions(options.behavior)) {
-    // Of the times only the period is the executor's own.
+  for (Option option : declarePlayingOptions(options.behavior)) {
+    // Of these only the period is the executor's own.
     option.meaning += option.name == "command_period_s"
                           ? " A repertoire learned with another one is refused."
                           : " Of genomes that are played without a repertoire: it brings its own.";

@@ -14,11 +14,12 @@
 namespace hexapod {
 
 /// What may be played: the entries of the last repertoire that fits this robot, and bare genomes,
-/// both as long as the repertoire says: gait, way back and rest are what it was learned with.
+/// both as the repertoire says: gait, way back, rest and levels of genes are what it was learned
+/// with. (A bare genome may have its own levels.)
 /// Trusts no message. Not thread-safe.
 class PlayableBehaviors {
  public:
-  /// `options`: the command period, and the times of bare genomes until there is a repertoire.
+  /// `options`: the command period, and how bare genomes are played until there is a repertoire.
   PlayableBehaviors(const RobotDescription& robot, const BehaviorOptions& options);
 
   /// Takes over a repertoire, or returns a sentence why it does not fit: another robot, joints or
@@ -42,10 +43,11 @@ class PlayableBehaviors {
   using Genomes = std::unordered_map<std::int64_t, Genome>;
 
   std::string mismatch(const hexapod_repertoire::Repertoire& message) const;
-  std::string readTimes(const hexapod_repertoire::Repertoire& message,
-                        BehaviorOptions& times) const;
-  std::string readEntries(const hexapod_repertoire::Repertoire& message, Genomes& genomes) const;
-  std::string checkGenome(const Genome& genome) const;
+  std::string readOptions(const hexapod_repertoire::Repertoire& message,
+                          BehaviorOptions& options) const;
+  std::string readEntries(const hexapod_repertoire::Repertoire& message, std::int64_t gene_levels,
+                          Genomes& genomes) const;
+  std::string checkGenome(const Genome& genome, std::int64_t gene_levels) const;
   /// The robot, of which no other joints move; a sentence in `problem` when it has not all of them.
   RobotDescription movingOnly(const std::vector<std::string>& joints, std::string& problem) const;
 

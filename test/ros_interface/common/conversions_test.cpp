@@ -58,6 +58,17 @@ TEST(RepertoireMessage, TellsTheArcThroughTheEndPoint) {
   EXPECT_EQ(message.header.frame_id, "base_footprint");
 }
 
+TEST(RepertoireMessage, HasTheGenomesOfMoreLevels) {
+  Repertoire sent = sample();
+  sent.options["gene_levels"] = "253";
+  sent.entries[1].genome = {252, 17, 4, 126};
+  const Repertoire received = fromMsg(toMsg(sent, ros::Time(1.0)));
+  EXPECT_EQ(received.geneLevels(), 253U);
+  EXPECT_EQ(received.entries[1].genome, sent.entries[1].genome);
+  sent.entries[1].genome[0] = 253;
+  EXPECT_THROW(fromMsg(toMsg(sent, ros::Time(1.0))), std::invalid_argument);
+}
+
 TEST(RepertoireMessage, IsRefusedWithTheEntryNamed) {
   auto message = toMsg(sample(), ros::Time(1.0));
   const auto refusal = [](const hexapod_repertoire::Repertoire& wrong) -> std::string {

@@ -50,6 +50,51 @@ TEST_F(PlayableBehaviorsTest, PlaysTheBehaviorTheLearnerEvaluated) {
   }
 }
 
+TEST_F(PlayableBehaviorsTest, PlaysGenomesInTheLevelsOfTheRepertoire) {
+  repertoire_.option_names = {"gene_levels"};
+  repertoire_.option_values = {"253"};
+  const Genome continuous(shippedRobot().geneCount(), 100);
+  repertoire_.entries[0].genome.assign(continuous.begin(), continuous.end());
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  BehaviorOptions options;
+  options.gene_levels = 253;
+  const Behavior learned(shippedRobot(), continuous, options);
+  std::string problem;
+  const auto behavior = behaviors_.find(goal(7, "run"), problem);
+  ASSERT_TRUE(behavior) << problem;
+  EXPECT_EQ(behavior->command(50), learned.command(50));
+  auto bare = goal(-1, "");
+  bare.genome = repertoire_.entries[0].genome;
+  EXPECT_EQ(behaviors_.find(bare, problem)->command(50), learned.command(50));
+}
+
+TEST_F(PlayableBehaviorsTest, ABareGenomeMayHaveItsOwnLevels) {
+  repertoire_.option_names = {"gene_levels"};
+  repertoire_.option_values = {"253"};
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  auto bare = goal(-1, "");
+  bare.genome.assign(shippedRobot().geneCount(), 2);
+  bare.gene_levels = 5;
+  std::string problem;
+  const Behavior five(shippedRobot(), Genome(shippedRobot().geneCount(), 2), BehaviorOptions());
+  EXPECT_EQ(behaviors_.find(bare, problem)->command(50), five.command(50));
+  bare.genome[3] = 5;
+  EXPECT_NE(problemOf(bare).find("Gene 3 of the genome is 5; expected 0 .. 4"), std::string::npos);
+  bare.gene_levels = 7;
+  EXPECT_NE(problemOf(bare).find("gene_levels is 7"), std::string::npos);
+}
+
+TEST_F(PlayableBehaviorsTest, ARepertoireThatDoesNotSayHasTheFiveLevels) {
+  hexapod_repertoire::Repertoire other = repertoire_;
+  other.option_names = {"gene_levels"};
+  other.option_values = {"253"};
+  ASSERT_EQ(behaviors_.update(other), "");
+  ASSERT_EQ(behaviors_.update(repertoire_), "");
+  EXPECT_EQ(behaviors_.options().gene_levels, 5);
+  repertoire_.entries[0].genome[0] = 5;
+  EXPECT_NE(behaviors_.update(repertoire_).find("expected 0 .. 4"), std::string::npos);
+}
+
 TEST_F(PlayableBehaviorsTest, RefusesEntriesOfOtherRunsAndUnknownOnes) {
   EXPECT_NE(problemOf(goal(7, "run")).find("No repertoire has come"), std::string::npos);
   ASSERT_EQ(behaviors_.update(repertoire_), "");
