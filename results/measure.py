@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """Learns repertoires with the programs evolve and assess_repertoire and writes tables of results.
 
-    results/measure.py --programs <folder of the two> --jobs 2 paper default ablation
+    results/measure.py --programs <folder of the two> --jobs 2 paper worlds ablation
 
-writes results/paper_preset.md, results/default_preset.md (a short budget and a long one) and
-results/ablation.md. Repertoires are kept below --work and are not learned again; delete them to
-start afresh.
+writes results/paper_preset.md, and in results/learning.md the tables of the default preset world by
+world (a short budget and a long one) and option by option. Repertoires are kept below --work and are
+not learned again; delete them to start afresh.
 """
 import argparse
 import concurrent.futures
@@ -26,6 +26,7 @@ WORLDS = ["nominal", "5 ms step", "mu 0.7", "mu 1.1", "mass -10 %", "mass +10 %"
 ABLATION = [
     ("default preset", [], 1),
     ("default preset, twice the candidates", [], 2),
+    ("continuous amplitudes and phases", ["--gene_levels", "253"], 1),
     ("mutation rate 0.02", ["--mutation_rate", "0.02"], 1),
     ("mutation rate 0.10, the paper's", ["--mutation_rate", "0.10"], 1),
     ("without twins", ["--offer_twins", "false"], 1),
@@ -61,14 +62,26 @@ class World:
 
 
 @dataclasses.dataclass(frozen=True)
+class Assessed:
+    """Some entries of a repertoire."""
+    worlds: dict  # World by name
+    chain: tuple  # behaviours, failed, mm, degrees, both at p90; empty: none
+
+
+@dataclasses.dataclass(frozen=True)
 class Run:
     """What came of one seed."""
     evaluations: int
     simulations: int
     seconds: float
-    everything: dict  # World by name, all usable entries
-    steady: dict      # of those that a planner uses
-    chain: tuple      # of the steady: behaviours, failed, mm, degrees, both at p90; empty: none
+    chosen: dict  # Assessed by name of the selection
+
+
+# Which entries, and the words for it on assess_repertoire's command line.
+EVERYTHING = {"all": ["--least_entries", "10000000"]}
+PLANNED = {"planned with": []}
+STEADIEST = {"the steadiest": ["--max_spread_m", "0.0025", "--max_spread_rad", "0.008",
+                               "--least_entries", "0"]}
 
 
 def learn(programs, file, options):
@@ -92,26 +105,26 @@ def assess(programs, file, *options):
         if cells[0] == "as learned":
             mm, p90_mm, degrees, p90_degrees, behaviors, failed = map(float, cells[1:])
             chain = (behaviors, failed, mm, degrees, p90_mm, p90_degrees)
-    return worlds, chain
+    return Assessed(worlds, chain)
 
 
 def run(job):
-    """Learns and assesses one (programs, file, options, behaviours to chain)."""
-    programs, file, options, chain = job
+    """Learns and assesses one (programs, file, options, selections, behaviours to chain)."""
+    programs, file, options, selections, chain = job
     learn(programs, file, options)
     database = sqlite3.connect(str(file))
     meta = dict(database.execute("SELECT key, value FROM meta"))
     seconds = database.execute("SELECT max(elapsed_s) FROM history").fetchone()[0]
     database.close()
-    everything, _ = assess(programs, file, "--least_entries", "10000000", "--chain", "1")
-    return Run(int(meta["evaluations"]), int(meta["fact.simulations"]), seconds, everything,
-               *assess(programs, file, "--chain", str(chain)))
+    return Run(int(meta["evaluations"]), int(meta["fact.simulations"]), seconds,
+               {name: assess(programs, file, "--chain", str(chain), *words)
+                for name, words in selections.items()})
 
 
-def runs(arguments, name, seeds, options, chain=10000):
+def runs(arguments, name, seeds, options, selections, chain=10000):
     """One Run per seed."""
     jobs = [(arguments.programs, arguments.work / f"{name.replace(' ', '_')}_{seed}.db",
-             [*options, "--seed", str(seed)], chain) for seed in seeds]
+             [*options, "--seed", str(seed)], selections, chain) for seed in seeds]
     with concurrent.futures.ThreadPoolExecutor(arguments.jobs) as pool:
         return list(pool.map(run, jobs))
 
@@ -120,18 +133,29 @@ def median(all_runs, value):
     return statistics.median(value(one) for one in all_runs)
 
 
-def world_table(runs_worlds):
-    """Medians over the runs, one row per world."""
-    lines = ["| world | entries that walk | sparseness [cm] | orientation error in the region "
-             "[deg] | shift of end poses, median [mm] | p90 [mm] | entries that fail |",
-             "|---|---|---|---|---|---|---|"]
-    for name in WORLDS:
-        def of(field, name=name):
-            return median(runs_worlds, lambda worlds: getattr(worlds[name], field))
-        lines.append(f"| {name} | {of('entries'):.0f} | {of('sparseness_cm'):.2f} | "
-                     f"{of('error_deg'):.2f} | {of('shift_mm'):.1f} | {of('p90_mm'):.1f} | "
-                     f"{of('failed'):.0f} |")
-    return lines
+def world_table(all_runs, selections):
+    """Medians over the runs, a row per world and a column per selection, then the chains."""
+    def of(selection, world, field):
+        return median(all_runs, lambda one: getattr(one.chosen[selection].worlds[world], field))
+
+    def chained(selection):
+        chains = [one.chosen[selection].chain for one in all_runs]
+        if not all(chains):
+            return "not validated"
+        mm, degrees, p90_mm, p90_degrees = (statistics.median(chain[i] for chain in chains)
+                                            for i in range(2, 6))
+        return (f"{mm:.1f} mm, {degrees:.2f} deg; p90 {p90_mm:.1f} mm, {p90_degrees:.2f} deg; "
+                f"{sum(chain[1] for chain in chains):.0f} failures")
+
+    lines = ["| world | " + " | ".join(f"{name}: {of(name, 'nominal', 'entries'):.0f}"
+                                       for name in selections) + " |",
+             "|" + "---|" * (1 + len(selections))]
+    for world in WORLDS:
+        cells = [f"{of(name, world, 'sparseness_cm'):.2f} cm, {of(name, world, 'error_deg'):.2f} deg; "
+                 f"{of(name, world, 'shift_mm'):.1f} mm, p90 {of(name, world, 'p90_mm'):.1f} mm; "
+                 f"{of(name, world, 'failed'):.0f}" for name in selections]
+        lines.append(f"| {world} | " + " | ".join(cells) + " |")
+    return lines + ["| chained | " + " | ".join(map(chained, selections)) + " |"]
 
 
 def seed_table(seeds, all_runs):
@@ -139,33 +163,38 @@ def seed_table(seeds, all_runs):
     lines = ["| seed | evaluations | simulations | time [s] | entries | sparseness [cm] | "
              "error [deg] | reach [m] |", "|---|---|---|---|---|---|---|---|"]
     for seed, one in zip(seeds, all_runs):
-        world = one.everything["nominal"]
+        world = one.chosen["all"].worlds["nominal"]
         lines.append(f"| {seed} | {one.evaluations} | {one.simulations} | {one.seconds:.0f} | "
                      f"{world.entries:.0f} | {world.sparseness_cm:.2f} | {world.error_deg:.2f} | "
                      f"{world.reach_m:.2f} |")
     return lines
 
 
-def chain_line(all_runs):
-    """The chained test in one sentence, medians over the runs."""
-    values = [median(all_runs, lambda one, i=i: one.chain[i]) for i in range(6)]
-    worst = max(one.chain[1] for one in all_runs)
-    return (f"Chained at random, {values[0]:.0f} behaviours in one simulation: "
-            f"{worst:.0f} falls in the worst run; from the expected end pose {values[2]:.1f} mm "
-            f"and {values[3]:.2f} degrees in the median, {values[4]:.1f} mm and {values[5]:.2f} "
-            "degrees at p90.")
+def paper(arguments):
+    """The whole page about the paper's preset."""
+    seeds = range(1, (arguments.seeds or 5) + 1)
+    options = ["--preset", "paper", "--evaluations", str(arguments.paper_evaluations),
+               *arguments.option]
+    all_runs = runs(arguments, "paper", seeds, options, EVERYTHING)
+    return ["# The paper's algorithm", "",
+            f"`evolve {' '.join(options)} --seed S --threads 1`, then `assess_repertoire`; "
+            f"seeds {seeds[0]} .. {seeds[-1]}, medians over them. {machine(arguments)}", "",
+            *world_table(all_runs, EVERYTHING), "", *seed_table(seeds, all_runs)]
 
 
-def preset(arguments, name, options, seeds):
-    """Command, a table per choice of entries, table per seed."""
-    all_runs = runs(arguments, name, seeds, options)
-    lines = [f"`evolve {' '.join(options)} --seed S --threads 1`, then `assess_repertoire`; "
-             f"seeds {seeds[0]} .. {seeds[-1]}, medians over them. {machine(arguments)}", ""]
-    if all_runs[0].chain:
-        lines += ["The entries that a planner uses, those of small validated spread:", ""]
-        lines += world_table([one.steady for one in all_runs]) + ["", chain_line(all_runs), ""]
-    lines += ["All entries:", ""] + world_table([one.everything for one in all_runs]) + [""]
-    return lines + seed_table(seeds, all_runs)
+def worlds(arguments):
+    """A table per budget."""
+    lines = []
+    selections = {**PLANNED, **STEADIEST, **EVERYTHING}
+    for budget in arguments.budgets:
+        evaluations, seeds = budget.split(":")
+        options = ["--evaluations", evaluations, *arguments.option]
+        all_runs = runs(arguments, "worlds_" + evaluations, range(1, int(seeds) + 1), options,
+                        selections)
+        lines += [*world_table(all_runs, selections), "",
+                  f"`evolve {' '.join(options)} --seed S --threads 1`, seeds 1 .. {seeds}. "
+                  f"{machine(arguments)}", ""]
+    return lines
 
 
 def ablation(arguments):
@@ -174,26 +203,21 @@ def ablation(arguments):
     def budget(share):
         return ["--evaluations", str(share * arguments.ablation_evaluations), *arguments.option]
 
-    lines = ["# What each option of the default preset brings", "",
-             f"`evolve {' '.join(budget(1))} --seed S --threads 1` with the named option changed, then "
-             f"`assess_repertoire`; seeds 1 .. {seeds[-1]}, medians over them. {machine(arguments)}", "",
-             "All entries. Held out: medians over the worlds that were not used in learning, "
-             "without the torque loss, which has a column of its own. Chained: median and p90 "
-             "distance from the expected end pose over 2,000 behaviours, those that a planner "
-             "uses. Settings that simulate more per candidate are to be compared with the row of "
-             "twice the candidates.", "",
-             "| setting | simulations | entries | nominal: sparseness [cm], error [deg] | held out: "
+    selections = {**PLANNED, **EVERYTHING}
+    lines = ["| setting | simulations | entries | nominal: sparseness [cm], error [deg] | held out: "
              "error [deg], shift [mm] | torque -20 %: error [deg], failures | chained [mm] | "
              "chained [deg] | falls |", "|---|---|---|---|---|---|---|---|---|"]
     for name, options, share in ABLATION:
         all_runs = runs(arguments, "ablation " + re.sub(r"\W+", "_", name), seeds,
-                        [*budget(share), *options], chain=2000)
-        nominal = [one.everything["nominal"] for one in all_runs]
-        torque = [one.everything["torque -20 %"] for one in all_runs]
-        held_out = [[one.everything[world] for world in WORLDS[1:-1]] for one in all_runs]
+                        [*budget(share), *options], selections, chain=2000)
+        everything = [one.chosen["all"].worlds for one in all_runs]
+        nominal = [of["nominal"] for of in everything]
+        torque = [of["torque -20 %"] for of in everything]
+        held_out = [[of[world] for world in WORLDS[1:-1]] for of in everything]
         error = median(held_out, lambda ws: statistics.median(w.error_deg for w in ws))
         shift = median(held_out, lambda ws: statistics.median(w.shift_mm for w in ws))
-        chain = [median(all_runs, lambda one, i=i: one.chain[i]) for i in range(6)]
+        chain = [median(all_runs, lambda one, i=i: one.chosen["planned with"].chain[i])
+                 for i in range(6)]
         lines.append(
             f"| {name} | {median(all_runs, lambda one: one.simulations):.0f} | "
             f"{median(nominal, lambda w: w.entries):.0f} | "
@@ -202,7 +226,19 @@ def ablation(arguments):
             f"{median(torque, lambda w: w.error_deg):.2f}, "
             f"{median(torque, lambda w: w.failed):.0f} | {chain[2]:.1f}, {chain[4]:.1f} | "
             f"{chain[3]:.2f}, {chain[5]:.2f} | {chain[1]:.0f} |")
-    return lines
+    return lines + ["", f"`evolve {' '.join(budget(1))} --seed S --threads 1` with the named option "
+                    f"changed, seeds 1 .. {seeds[-1]}. {machine(arguments)}"]
+
+
+def write_tables(heading, lines):
+    """Replaces what follows the words of a section of results/learning.md: its tables."""
+    file = HERE / "learning.md"
+    before, _, rest = file.read_text(encoding="utf-8").partition(f"## {heading}\n")
+    section, separator, after = rest.partition("\n## ")
+    words = section.split("\n|", maxsplit=1)[0].rstrip("\n")
+    table = "\n".join(lines).rstrip("\n")
+    file.write_text(f"{before}## {heading}\n{words}\n\n{table}\n{separator}{after}",
+                    encoding="utf-8")
 
 
 def machine(arguments):
@@ -219,15 +255,14 @@ def machine(arguments):
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("what", nargs="+", choices=["paper", "default", "ablation"])
+    parser.add_argument("what", nargs="+", choices=["paper", "worlds", "ablation"])
     parser.add_argument("--programs", type=pathlib.Path, required=True)
     parser.add_argument("--work", type=pathlib.Path, default=pathlib.Path("/tmp/hexapod_results"))
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--seeds", type=int, help="default: 5 for paper, 10 for default")
-    parser.add_argument("--default-evaluations", type=int, default=250000)
-    parser.add_argument("--long-evaluations", type=int, default=1500000)
-    parser.add_argument("--long-seeds", type=int, default=3)
+    parser.add_argument("--seeds", type=int, help="of paper, 5 by default")
     parser.add_argument("--paper-evaluations", type=int, default=100000)
+    parser.add_argument("--budgets", nargs="+", default=["62000:4", "470000:2"],
+                        help="of worlds: candidates, and how many seeds")
     parser.add_argument("--ablation-evaluations", type=int, default=50000)
     parser.add_argument("--ablation-seeds", type=int, default=2)
     parser.add_argument("--option", nargs="*", default=[],
@@ -239,25 +274,12 @@ def main():
     arguments.work.mkdir(parents=True, exist_ok=True)
     for what in arguments.what:
         if what == "paper":
-            lines = ["# The paper's algorithm", ""] + preset(
-                arguments, "paper", ["--preset", "paper", "--evaluations",
-                                     str(arguments.paper_evaluations), *arguments.option],
-                range(1, (arguments.seeds or 5) + 1))
-            file = "paper_preset.md"
-        elif what == "default":
-            lines = ["# The default preset", "", "## A short budget", ""] + preset(
-                arguments, "default", ["--evaluations", str(arguments.default_evaluations),
-                                       *arguments.option],
-                range(1, (arguments.seeds or 10) + 1))
-            lines += ["", "## A long budget", ""] + preset(
-                arguments, "default_long", ["--evaluations", str(arguments.long_evaluations),
-                                            *arguments.option],
-                range(1, arguments.long_seeds + 1))
-            file = "default_preset.md"
+            (HERE / "paper_preset.md").write_text("\n".join(paper(arguments)) + "\n",
+                                                  encoding="utf-8")
+        elif what == "worlds":
+            write_tables("World by world", worlds(arguments))
         else:
-            lines = ablation(arguments)
-            file = "ablation.md"
-        (HERE / file).write_text("\n".join(lines) + "\n", encoding="utf-8")
+            write_tables("What each option brings", ablation(arguments))
 
 
 if __name__ == "__main__":

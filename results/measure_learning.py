@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Learns with BR-Evolution and MAP-Elites for equal times and writes results/learning.md.
+"""Learns with BR-Evolution and MAP-Elites for equal times: results/learning.md, by the clock.
 
     results/measure_learning.py --programs <folder of evolve and assess_repertoire>
 
@@ -17,9 +17,8 @@ import sqlite3
 import statistics
 import subprocess
 
-from measure import machine
+from measure import machine, write_tables
 
-HERE = pathlib.Path(__file__).resolve().parent
 PILOT_SEED = 101
 LEARNERS = [("br_evolution", []), ("map_elites", ["--cell_m", "0.03"])]
 
@@ -124,7 +123,6 @@ def main():
     parser.add_argument("--remark", default="", help="what else is to be known of the machine")
     arguments = parser.parse_args()
     arguments.work.mkdir(parents=True, exist_ok=True)
-    text = (HERE / "learning.md").read_text(encoding="utf-8").split("\n| budget |", maxsplit=1)[0]
     lines = ["| budget | learner | CPU [s] | candidates | entries | sparseness [cm] | orientation "
              "error in the region [deg] | chained where learned: median | p90 | chained in the test "
              "set: median | p90 | failures there |", "|" + "---|" * 12]
@@ -138,8 +136,7 @@ def main():
                     session(arguments, learner, evaluations, seed), range(1, seeds + 1)))
             lines.append(line(budget_s, learner[0], sessions))
             print(lines[-1], flush=True)
-    lines += ["", machine(arguments)]
-    (HERE / "learning.md").write_text(text + "\n" + "\n".join(lines) + "\n", encoding="utf-8")
+    write_tables("By the clock", [*lines, "", machine(arguments)])
 
 
 if __name__ == "__main__":
