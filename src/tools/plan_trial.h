@@ -17,15 +17,21 @@ struct PlanTask {
   PlanRequest request;
 };
 
+/// Planning again after the first behaviour, in processor time.
+struct Replan {
+  double afresh_s = 0.0;   ///< without memory
+  double again_s = 0.0;    ///< with the memory of the plan
+  bool succeeded = false;  ///< there was a second behaviour to plan for, and both did
+};
+
 /// One answer and what it took, in processor time.
 struct PlanTrial {
   PlanResult plan;
-  double first_s = 0.0;    ///< until there was a plan
-  double whole_s = 0.0;    ///< until the end
-  double afresh_s = 0.0;   ///< planning again after the first behaviour, without memory
-  double replan_s = 0.0;   ///< with the memory of the plan
-  bool replanned = false;  ///< there was a second behaviour to plan again for, and both succeeded
-  double touch_m = 0.0;    ///< room beside the footprint that TouchCheck sees; negative: it touches
+  double first_s = 0.0;  ///< until there was a plan
+  double whole_s = 0.0;  ///< until the end
+  Replan predicted;      ///< where the first behaviour ends as predicted
+  Replan missed;         ///< and somewhat beside that (drawMiss())
+  double touch_m = 0.0;  ///< room beside the footprint that TouchCheck sees; negative: it touches
 };
 
 /// Goals in a square of 4 m around the start, any heading.
@@ -44,7 +50,8 @@ bool isConnected(const PlanTask& task, double radius_m);
 /// How a behaviour misses its prediction before the next plan, drawn: some 4 mm and half a degree.
 Pose2 drawMiss(Random& random);
 
-/// Plans, measures, plans again from about where the first behaviour ends, and checks.
+/// Plans, measures, plans again from where the first behaviour ends and from beside that, and
+/// checks.
 class PlanTrials {
  public:
   /// Keeps references.
@@ -55,7 +62,7 @@ class PlanTrials {
   PlanTrial run(const PlanTask& task, Random& random) const;
 
  private:
-  void planAgain(const PlanTask& task, Random& random, PlanTrial& trial) const;
+  Replan planAgain(const PlanTask& task, const PlanResult& plan, const Pose2& miss) const;
   double clearance_m(const PlanTask& task, const PlanResult& plan) const;
 
   const Repertoire& repertoire_;

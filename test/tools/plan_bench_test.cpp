@@ -87,12 +87,14 @@ TEST(DescribePlanTrials, CountsFoundProvedAndTouched) {
   PlanTrial touching = proved;
   touching.plan.at_least_steps = 1;
   touching.touch_m = -0.01;
+  proved.predicted = {0.003, 0.001, true};
+  proved.missed = {0.004, 0.002, true};
   PlanTrial none;
   none.plan.code = PlanCode::kBlocked;
   const std::string line = describe("a world", {proved, touching, none});
   EXPECT_EQ(line,
-            "| a world | 2 of 3 | 0.0 / 0.0 | 0.0 / 0.0 / 0.0 | 2.00 | 1 | 1.33 | 0.00 | 0.0 | 1 | "
-            "-1.0 |\n");
+            "| a world | 2 of 3 | 0.0 / 0.0 | 0.0 / 0.0 / 0.0 | 2.00 | 1 | 1.33 | 1.00 | 3.0 | "
+            "2.00 | 2.0 | 1 | -1.0 |\n");
 }
 
 TEST(BenchPlanOptions, NeedARepertoireAndNameWhatTheyDoNotKnow) {
