@@ -30,11 +30,12 @@ int digitAt(std::size_t position, const std::string& text, int base) {
 }  // namespace
 
 void requireGeneLevels(std::int64_t levels) {
-  const auto most = static_cast<std::int64_t>(kMostGeneLevels);
-  if (levels >= 5 && levels <= most && levels % 4 == 1) return;
-  throw std::invalid_argument("Option gene_levels is " + std::to_string(levels) +
-                              "; expected 5, or one more than another multiple of 4, up to " +
-                              std::to_string(most) + ".");
+  constexpr auto kLeast = static_cast<std::int64_t>(kGeneLevels);
+  constexpr auto kMost = static_cast<std::int64_t>(kMostGeneLevels);
+  if (levels >= kLeast && levels <= kMost && levels % (kLeast - 1) == 1) return;
+  throw std::invalid_argument(
+      "Option gene_levels is " + std::to_string(levels) + "; expected " + std::to_string(kLeast) +
+      ", or one more than another multiple of 4, up to " + std::to_string(kMost) + ".");
 }
 
 std::string toString(const Genome& genome) {

@@ -6,9 +6,6 @@
 namespace hexapod {
 namespace {
 
-/// Ends a session as a kill does: at once, without another save.
-struct Killed : std::exception {};
-
 class EveryLearner : public LearningFixture, public testing::WithParamInterface<std::string> {
  protected:
   void SetUp() override {
@@ -45,17 +42,8 @@ TEST_P(EveryLearner, DependsOnItsSeedAndNotOnItsThreads) {
 }
 
 TEST_P(EveryLearner, EndsAsIfItHadNotBeenKilledAfterEveryGeneration) {
-  LearnOptions options = run("killed.db");
-  options.resume = true;
-  for (std::int64_t generation = 1; generation <= 5; ++generation) {
-    LearningSession::Hooks hooks;
-    hooks.progress = [&](const LearningSession& session) {
-      if (session.status().counters.generations == generation) throw Killed();
-    };
-    EXPECT_THROW(learn(options, hooks), Killed);
-  }
-  ASSERT_TRUE(learn(options));
-  expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
+  const LearnOptions options = run("killed.db");
+  expectSameRun(killedAgainAndAgain(options), undisturbed(options));
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, EveryLearner, testing::ValuesIn(algorithmNames()));

@@ -43,18 +43,8 @@ TEST_F(GeneLevelsTest, ItsEntriesDoNotDependOnThreads) {
 }
 
 TEST_F(GeneLevelsTest, NorOnTheGenerationAfterWhichItWasKilled) {
-  struct Killed : std::exception {};
-  LearnOptions options = continuousRun("a.db");
-  options.resume = true;
-  for (std::int64_t generation = 1; generation <= 5; ++generation) {
-    LearningSession::Hooks hooks;
-    hooks.progress = [&](const LearningSession& session) {
-      if (session.status().counters.generations == generation) throw Killed();
-    };
-    EXPECT_THROW(learn(options, hooks), Killed);
-  }
-  ASSERT_TRUE(learn(options));
-  expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
+  const LearnOptions options = continuousRun("a.db");
+  expectSameRun(killedAgainAndAgain(options), undisturbed(options));
 }
 
 TEST_F(GeneLevelsTest, NorOnHelpingProcesses) {

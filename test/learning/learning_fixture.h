@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <exception>
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include "learning/learning_session.h"
@@ -10,6 +13,9 @@
 #include "robot/load_robot.h"
 
 namespace hexapod {
+
+/// Ends a session as a kill does: at once, without another save.
+struct Killed : std::exception {};
 
 /// Small runs in a folder of the test's own, under a clock that advances by half a second whenever
 /// it is looked at.
@@ -47,6 +53,32 @@ class LearningFixture : public testing::Test {
     options.repertoire_file = (folder_ / "undisturbed.db").string();
     options.overwrite = true;
     options.resume = false;
+    EXPECT_TRUE(learn(options));
+    return loadRepertoire(options.repertoire_file);
+  }
+
+  /// Learns until `when` holds, and is killed then.
+  void killWhen(const LearnOptions& options,
+                const std::function<bool(const LearningStatus&)>& when) {
+    LearningSession::Hooks hooks;
+    hooks.progress = [&](const LearningSession& session) {
+      if (when(session.status())) throw Killed();
+    };
+    EXPECT_THROW(learn(options, hooks), Killed);
+  }
+
+  void killAfterGeneration(const LearnOptions& options, std::int64_t generation) {
+    killWhen(options, [generation](const LearningStatus& status) {
+      return status.counters.generations == generation;
+    });
+  }
+
+  /// Learns to the end, killed after every generation of a small run and resumed.
+  Repertoire killedAgainAndAgain(LearnOptions options) {
+    options.resume = true;
+    for (std::int64_t generation = 1; generation <= 5; ++generation) {
+      killAfterGeneration(options, generation);
+    }
     EXPECT_TRUE(learn(options));
     return loadRepertoire(options.repertoire_file);
   }

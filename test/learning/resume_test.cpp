@@ -12,27 +12,8 @@
 namespace hexapod {
 namespace {
 
-/// Ends a session as a kill does: at once, without another save.
-struct Killed : std::exception {};
-
 class ResumeTest : public LearningFixture {
  protected:
-  /// Learns until `when` holds, and is killed then.
-  void killWhen(const LearnOptions& options,
-                const std::function<bool(const LearningStatus&)>& when) {
-    LearningSession::Hooks hooks;
-    hooks.progress = [&](const LearningSession& session) {
-      if (when(session.status())) throw Killed();
-    };
-    EXPECT_THROW(learn(options, hooks), Killed);
-  }
-
-  void killAfterGeneration(const LearnOptions& options, std::int64_t generation) {
-    killWhen(options, [generation](const LearningStatus& status) {
-      return status.counters.generations == generation;
-    });
-  }
-
   LearnOptions resumed(LearnOptions options) const {
     options.resume = true;
     return options;
@@ -49,12 +30,8 @@ std::string contentOf(const std::string& file) {
 }
 
 TEST_F(ResumeTest, EndsAsIfItHadNotBeenKilledAfterEveryGeneration) {
-  const LearnOptions options = resumed(smallRun("a.db"));
-  for (std::int64_t generation = 1; generation <= 5; ++generation) {
-    killAfterGeneration(options, generation);
-  }
-  ASSERT_TRUE(learn(options));
-  expectSameRun(loadRepertoire(options.repertoire_file), undisturbed(options));
+  const LearnOptions options = smallRun("a.db");
+  expectSameRun(killedAgainAndAgain(options), undisturbed(options));
 }
 
 TEST_F(ResumeTest, RepeatsWhatWasLostSinceTheLastCheckpoint) {
