@@ -48,4 +48,10 @@ std::vector<std::size_t> steadyEntries(const std::vector<Entry>& entries,
   return steady;
 }
 
+std::vector<Entry> onlySteady(const std::vector<Entry>& entries, const SteadinessOptions& options) {
+  std::vector<Entry> steady;
+  for (const std::size_t i : steadyEntries(entries, options)) steady.push_back(entries[i]);
+  return steady;
+}
+
 }  // namespace hexapod

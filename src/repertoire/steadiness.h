@@ -26,4 +26,7 @@ std::vector<Option> declareOptions(SteadinessOptions& options);
 std::vector<std::size_t> steadyEntries(const std::vector<Entry>& entries,
                                        const SteadinessOptions& options);
 
+/// Those entries themselves.
+std::vector<Entry> onlySteady(const std::vector<Entry>& entries, const SteadinessOptions& options);
+
 }  // namespace hexapod

@@ -163,10 +163,7 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
   const EngineChoice engine = chooseEngine(options.engine, robot);
   const auto pool = std::make_shared<WorldPool>(engine.engine, robot, learned.physics,
                                                 static_cast<int>(options.threads));
-  std::vector<Entry> usable;
-  for (const std::size_t i : steadyEntries(repertoire.entries, options.steadiness)) {
-    usable.push_back(repertoire.entries[i]);
-  }
+  const std::vector<Entry> usable = onlySteady(repertoire.entries, options.steadiness);
   std::printf("%s, %zu entries, %zu of them played\n\n", repertoire.run_id.c_str(),
               repertoire.entries.size(), usable.size());
   // Without the return to the neutral pose there is nothing to chain.

@@ -96,10 +96,7 @@ FitOptions fitOptions(const CalibrateOptions& options) {
 // Those that tell most, then others drawn among the steady ones.
 std::vector<Trial> planOf(const CalibrateOptions& options, const CalibrationSetting& setting,
                           const Repertoire& repertoire) {
-  std::vector<Entry> steady;
-  for (const std::size_t i : steadyEntries(repertoire.entries, SteadinessOptions())) {
-    steady.push_back(repertoire.entries[i]);
-  }
+  const std::vector<Entry> steady = onlySteady(repertoire.entries, SteadinessOptions());
   std::vector<Trial> plan;
   std::set<std::size_t> chosen;
   for (const std::size_t i : chooseBehaviors(*setting.imagination, setting.learned.physics, steady,

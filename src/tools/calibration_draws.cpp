@@ -94,10 +94,7 @@ class Draws {
 
   /// By how much entries that a planner uses miss, one after another at random in a world.
   MedianMiss chained(const Repertoire& repertoire, const Physics& world) const {
-    std::vector<Entry> steady;
-    for (const std::size_t i : steadyEntries(repertoire.entries, SteadinessOptions())) {
-      steady.push_back(repertoire.entries[i]);
-    }
+    const std::vector<Entry> steady = onlySteady(repertoire.entries, SteadinessOptions());
     const auto pool = std::make_shared<WorldPool>(setting_.engine, setting_.imagination->robot(),
                                                   world, static_cast<int>(options_.threads));
     const ChainResult result =
