@@ -40,8 +40,8 @@ void forEachPose(const LegModel& model, const Use& use) {
   }
 }
 
-}  // namespace
-
+/// All ways to share joints between two signals, each of which gets at least one; of a single joint
+/// any.
 std::vector<SignalShares> waysToShare(std::size_t joints) {
   std::vector<SignalShares> ways;
   SignalShares shares(joints, 0);
@@ -58,6 +58,8 @@ std::vector<SignalShares> waysToShare(std::size_t joints) {
   }
   return ways;
 }
+
+}  // namespace
 
 double lowestFoot_m(const LegModel& leg) {
   double lowest_m = std::numeric_limits<double>::infinity();

@@ -11,10 +11,6 @@
 
 namespace hexapod {
 
-/// All ways to share `joints` joints between two signals, each of which gets at least one; of a
-/// single joint any.
-std::vector<SignalShares> waysToShare(std::size_t joints);
-
 /// Lowest that a leg's foot gets within the limits of its joints, in the base [m].
 double lowestFoot_m(const LegModel& leg);
 
