@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simulation/reduced/box_gap.h"
+
 namespace hexapod {
 namespace {
 
@@ -76,6 +78,31 @@ double segmentDistance(const Points& a, const Points& b) {
   double t = vv > 0.0 ? within((uv * s + v.dot(w)) / vv) : 0.0;
   s = uu > 0.0 ? within((uv * t - u.dot(w)) / uu) : 0.0;
   return (w + s * u - t * v).norm();
+}
+
+reduced::Vec3<double> vec3(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+// A box as the reduced engine sees it.
+struct PlacedBox {
+  explicit PlacedBox(const Shape& box)
+      : half_m{0.5 * box.size_m.x(), 0.5 * box.size_m.y(), 0.5 * box.size_m.z()} {
+    const Eigen::Matrix3d axes = box.body_from_shape.linear();
+    placed = {vec3(box.body_from_shape.translation()),
+              {vec3(axes.col(0)), vec3(axes.col(1)), vec3(axes.col(2))}};
+  }
+
+  double half_m[3];
+  reduced::PlacedBox<double> placed;
+};
+
+double gapToBox_m(const Shape& round, const Shape& box) {
+  const PlacedBox of_box(box);
+  const reduced::PlacedCapsule<double> capsule{vec3(round.body_from_shape.translation()),
+                                               vec3(round.body_from_shape.linear().col(2))};
+  const double half_m = round.kind == Shape::Kind::kCapsule ? 0.5 * round.length_m : 0.0;
+  return std::sqrt(
+             reduced::squaredDistanceToBox<double>(capsule, half_m, of_box.placed, of_box.half_m)) -
+         round.radius_m;
 }
 
 double distanceFrom(const Eigen::Vector3d& point, const Shape& shape) {
@@ -170,11 +197,27 @@ bool isInside(const Shape& inner, const Shape& outer) {
 }
 
 double gap_m(const Shape& a, const Shape& b) {
-  const auto round = [](const Shape& shape) {
-    return shape.kind == Shape::Kind::kBox ? fitCapsule(corePoints(shape)) : shape;
-  };
-  const Shape first = round(a), second = round(b);
-  return segmentDistance(corePoints(first), corePoints(second)) - first.radius_m - second.radius_m;
+  if (a.kind == Shape::Kind::kBox && b.kind == Shape::Kind::kBox) {
+    const PlacedBox first(a), second(b);
+    return reduced::gapOfBoxes<double>(first.placed, first.half_m, second.placed, second.half_m);
+  }
+  if (b.kind == Shape::Kind::kBox) return gapToBox_m(a, b);
+  if (a.kind == Shape::Kind::kBox) return gapToBox_m(b, a);
+  return segmentDistance(corePoints(a), corePoints(b)) - a.radius_m - b.radius_m;
+}
+
+Shape thinner(const Shape& shape, double factor) {
+  Shape made = shape;
+  made.radius_m *= factor;
+  int longest = 0;
+  const double length_m = shape.size_m.maxCoeff(&longest);
+  made.size_m *= factor;
+  made.size_m[longest] = length_m;
+  return made;
+}
+
+double thickness_m(const Shape& shape) {
+  return shape.kind == Shape::Kind::kBox ? shape.size_m.minCoeff() : 2.0 * shape.radius_m;
 }
 
 double volume_m3(const Shape& shape) {

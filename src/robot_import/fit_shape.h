@@ -31,11 +31,17 @@ Shape fitTip(const Points& points, const Eigen::Vector3d& root);
 /// A capsule of this radius from the origin to `end`, which is farther away than its diameter.
 Shape rod(const Eigen::Vector3d& end, double radius_m);
 
+/// A shape as long and thinner by this factor across its longest side.
+Shape thinner(const Shape& shape, double factor);
+
+/// Of a capsule or sphere twice its radius, of a box its shortest side [m].
+double thickness_m(const Shape& shape);
+
 /// Whether `inner` is within `outer`, but for 1 mm.
 bool isInside(const Shape& inner, const Shape& outer);
 
-/// Smallest distance of two shapes posed in one frame [m]; negative when they overlap. A box is
-/// taken as the capsule fitCapsule() makes of it.
+/// How far two shapes posed in one frame are apart [m]: not more than their distance, 0 or less
+/// when they touch.
 double gap_m(const Shape& a, const Shape& b);
 
 double volume_m3(const Shape& shape);

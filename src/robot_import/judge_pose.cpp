@@ -83,7 +83,7 @@ JudgedPose judgePose(const LegModel& leg, const StandingTask& task, const Signal
   const double reach_m = leg.reach_m();
   JudgedPose judged;
   judged.angles_rad = angles_rad;
-  judged.floor_m = pose.foot_m.z() - leg.footRadius_m();
+  judged.floor_m = pose.floor_m;
 
   // 1. What the signals do.
   const double stroke_m = kStroke * reach_m * task.scale, lift_m = kLift * reach_m * task.scale;

@@ -8,6 +8,24 @@
 
 namespace hexapod {
 
+namespace {
+
+// Within a tenth of the farthest from the joint.
+Points farCorners(const Shape& box) {
+  constexpr double kShare = 0.9;
+  double farthest_m = 0.0;
+  for (const Eigen::Vector3d& corner : corePoints(box)) {
+    farthest_m = std::max(farthest_m, corner.norm());
+  }
+  Points far;
+  for (const Eigen::Vector3d& corner : corePoints(box)) {
+    if (corner.norm() >= kShare * farthest_m) far.push_back(corner);
+  }
+  return far;
+}
+
+}  // namespace
+
 LegModel::LegModel(const Leg& leg) : leg_(leg), reach_m_(hexapod::reach_m(leg)) {
   for (std::size_t s = 0; s < leg.segments.size(); ++s) {
     if (!leg.segments[s].body.shapes.empty()) foot_segment_ = s;
@@ -17,9 +35,26 @@ LegModel::LegModel(const Leg& leg) : leg_(leg), reach_m_(hexapod::reach_m(leg)) 
     for (const Eigen::Vector3d& core : corePoints(shape)) {
       if (core.norm() + roundness_m(shape) <= farthest_m) continue;
       farthest_m = core.norm() + roundness_m(shape);
-      foot_ = core;
+      foot_points_ = {core};
+      if (shape.kind == Shape::Kind::kBox) foot_points_ = farCorners(shape);
       foot_radius_m_ = roundness_m(shape);
     }
+  }
+  for (const Eigen::Vector3d& point : foot_points_) {
+    foot_ += point / static_cast<double>(foot_points_.size());
+  }
+}
+
+bool LegModel::isOfFoot(const Eigen::Vector3d& point) const {
+  return (point - foot_).norm() < 0.1 * reach_m_ ||
+         std::find(foot_points_.begin(), foot_points_.end(), point) != foot_points_.end();
+}
+
+void LegModel::takeFoot(const Eigen::Isometry3d& base_from_body, LegPose& pose) const {
+  pose.foot_m = base_from_body * foot_;
+  pose.floor_m = pose.foot_m.z() - foot_radius_m_;
+  for (const Eigen::Vector3d& point : foot_points_) {
+    pose.floor_m = std::min(pose.floor_m, (base_from_body * point).z() - foot_radius_m_);
   }
 }
 
@@ -33,10 +68,10 @@ LegPose LegModel::at(const std::vector<double>& angles_rad) const {
     pose.joint_m.push_back(base_from_body.translation());
     pose.axis.push_back(base_from_body.linear() * joint.axis);
     base_from_body = base_from_body * Eigen::AngleAxisd(angles_rad[s], joint.axis);
-    if (s == foot_segment_) pose.foot_m = base_from_body * foot_;
+    if (s == foot_segment_) takeFoot(base_from_body, pose);
     for (const Shape& shape : body.shapes) {
       for (const Eigen::Vector3d& core : corePoints(shape)) {
-        if (s == foot_segment_ && (core - foot_).norm() < 0.1 * reach_m_) continue;
+        if (s == foot_segment_ && isOfFoot(core)) continue;
         pose.lowest_of_others_m =
             std::min(pose.lowest_of_others_m, (base_from_body * core).z() - roundness_m(shape));
       }

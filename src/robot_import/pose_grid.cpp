@@ -64,7 +64,7 @@ std::vector<SignalShares> waysToShare(std::size_t joints) {
 double lowestFoot_m(const LegModel& leg) {
   double lowest_m = std::numeric_limits<double>::infinity();
   forEachPose(leg, [&](const std::vector<double>& angles) {
-    lowest_m = std::min(lowest_m, leg.at(angles).foot_m.z() - leg.footRadius_m());
+    lowest_m = std::min(lowest_m, leg.at(angles).floor_m);
   });
   return lowest_m;
 }

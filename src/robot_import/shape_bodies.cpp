@@ -78,11 +78,6 @@ class Shaper {
     if (!extras.collision_points.empty()) {
       body.shapes.push_back(fit(extras.collision_points, is_last));
     }
-    for (Shape& shape : body.shapes) {
-      if (shape.kind != Shape::Kind::kBox) continue;
-      shape = fitCapsule(corePoints(shape));
-      remark(body, "has a box: simulated as a capsule of its length.");
-    }
     dropInner(body);
     if (body.shapes.size() <= kMostShapesOfSegment) return;
     body.shapes = {fit(spanOfAll(body), is_last)};
@@ -206,7 +201,7 @@ void shapeBodies(ImportedRobot& imported, ImportReport& report) {
 void separateLegs(ImportedRobot& imported, ImportReport& report) {
   constexpr double kLeastGap_m = 0.001;
   constexpr double kThinner = 0.85;
-  constexpr double kThinnest = 0.003;
+  constexpr double kThinnest_m = 0.006;
   const std::vector<Placed> segments = segmentsInNeutralPose(imported.robot);
   std::pair<Body*, Body*> of;
   for (auto pair = touching(segments, kLeastGap_m, of); pair.first != nullptr;
@@ -214,8 +209,8 @@ void separateLegs(ImportedRobot& imported, ImportReport& report) {
     for (const auto& [shape, body] : {std::pair{pair.first, of.first}, {pair.second, of.second}}) {
       report.remarks.add("shapes", {"link", body->name},
                          "touches another leg in the neutral pose: made thinner, or left out.");
-      shape->radius_m *= kThinner;
-      if (shape->radius_m > kThinnest) continue;
+      *shape = thinner(*shape, kThinner);
+      if (thickness_m(*shape) > kThinnest_m) continue;
       if (body->shapes.size() == 1) {
         report.problems.add(report.source, {"link", body->name},
                             "touches another leg in the best stand that was found: check the "

@@ -1,5 +1,6 @@
-// Prints a robot as URDF and YAML describe it, as YAML: its name and id, and per leg the joints
-// with their part in the gait and where the foot goes when they move alone.
+// Prints a robot as URDF and YAML describe it, as YAML: its name and id, the engine that simulates
+// it (and why not the fast one), and per leg the joints with their part in the gait and where the
+// foot goes when they move alone.
 #include <yaml-cpp/yaml.h>
 
 #include <exception>
@@ -7,6 +8,7 @@
 
 #include "robot/load_robot.h"
 #include "robot_import/check_robot.h"
+#include "simulation/world.h"
 
 namespace hexapod {
 namespace {
@@ -32,6 +34,9 @@ std::string describe(const RobotDescription& robot) {
   yaml.SetStringFormat(YAML::DoubleQuoted);
   yaml << YAML::BeginMap << YAML::Key << "name" << YAML::Value << robot.name;
   yaml << YAML::Key << "id" << YAML::Value << robot.digest;
+  const EngineChoice choice = chooseEngine(engineNames().front(), robot);
+  yaml << YAML::Key << "engine" << YAML::Value << toString(choice.engine);
+  if (!choice.remark.empty()) yaml << YAML::Key << "engine_remark" << YAML::Value << choice.remark;
   yaml << YAML::Key << "legs" << YAML::Value << YAML::BeginSeq;
   for (const Leg& leg : robot.legs) emitLeg(yaml, leg);
   yaml << YAML::EndSeq << YAML::EndMap;

@@ -71,6 +71,17 @@ TEST(BatchRollout, GivesTheBitsOfASingleWorldWithEveryInstructionSet) {
   }
 }
 
+TEST(BatchRollout, GivesTheBitsOfASingleWorldForLegsOfBoxes) {
+  const RobotDescription robot = hexapodOfBoxes();
+  const std::vector<Behavior> played = behaviors(robot, 19);
+  const std::vector<BatchResult> expected = oneByOne(robot, runs(played));
+  for (const reduced::InstructionSet instructions : reduced::availableInstructionSets()) {
+    SCOPED_TRACE(toString(instructions));
+    BatchRollout batch(robot, Physics(), instructions);
+    expectSame(batch.play(runs(played), kPeriod_s), expected);
+  }
+}
+
 TEST(BatchRollout, DoesNotDependOnTheNeighbours) {
   const RobotDescription robot = hexapodWithWideHips();
   const std::vector<Behavior> played = behaviors(robot, 20);

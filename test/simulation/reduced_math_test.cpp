@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "common/random.h"
@@ -77,6 +78,82 @@ TEST(ReducedMath, DistanceOfSegmentsIsTheSmallestOfAllTheirPoints) {
     EXPECT_NEAR(found, distanceBySearch(a, half_a, b, half_b), 2e-6 + 1e-3 * half_a) << i;
     EXPECT_LE(found, distanceBySearch(a, half_a, b, half_b) + 1e-12) << i;
   }
+}
+
+struct MadeBox {
+  PlacedBox<double> placed;
+  double half[3];
+
+  Eigen::Vector3d nearest(const Eigen::Vector3d& point) const {
+    const Eigen::Vector3d axes[3] = {eigen(placed.axes.x), eigen(placed.axes.y),
+                                     eigen(placed.axes.z)};
+    Eigen::Vector3d found = eigen(placed.center);
+    for (int i = 0; i < 3; ++i) {
+      const double along = axes[i].dot(point - eigen(placed.center));
+      found += std::max(-half[i], std::min(half[i], along)) * axes[i];
+    }
+    return found;
+  }
+};
+
+MadeBox randomBox(Random& random, bool turned) {
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  if (turned) {
+    turn = Eigen::Quaterniond(Eigen::Vector4d::NullaryExpr([&] {
+             return random.uniform(-1, 1);
+           })).normalized();
+  }
+  return {{randomVector(random),
+           rotationOf(Quaternion<double>{turn.w(), turn.x(), turn.y(), turn.z()})},
+          {random.uniform(0.01, 0.6), random.uniform(0.01, 0.6), random.uniform(0.01, 0.6)}};
+}
+
+TEST(ReducedMath, DistanceOfASegmentAndABoxIsTheSmallestOfAllTheirPoints) {
+  Random random(5);
+  int meeting = 0;
+  for (int i = 0; i < 400; ++i) {
+    const MadeBox box = randomBox(random, i % 5 != 0);
+    const Eigen::Vector3d axis = i % 10 == 0 ? Eigen::Vector3d(Eigen::Vector3d::UnitY())
+                                             : eigen(randomVector(random)).normalized();
+    const PlacedCapsule<double> line{randomVector(random), {axis.x(), axis.y(), axis.z()}};
+    const double half = i % 7 == 0 ? 0.0 : random.uniform();
+    double expected = 1e9;
+    for (int k = -2000; k <= 2000; ++k) {
+      const Eigen::Vector3d point = eigen(line.center) + half * k / 2000.0 * axis;
+      expected = std::min(expected, (point - box.nearest(point)).norm());
+    }
+    const double found = std::sqrt(squaredDistanceToBox<double>(line, half, box.placed, box.half));
+    EXPECT_NEAR(found, expected, 1e-12 + 5e-4 * half) << i;
+    EXPECT_LE(found, expected + 1e-12) << i;
+    meeting += expected == 0.0;
+  }
+  EXPECT_GT(meeting, 10);
+  EXPECT_LT(meeting, 390);
+}
+
+// By projecting onto one box and the other in turn, which leads to their nearest points.
+double distanceByProjection(const MadeBox& a, const MadeBox& b) {
+  Eigen::Vector3d point = eigen(a.placed.center);
+  for (int i = 0; i < 20000; ++i) point = a.nearest(b.nearest(point));
+  return (point - b.nearest(point)).norm();
+}
+
+TEST(ReducedMath, BoxesHaveAGapOfAtMostTheirDistanceUnlessTheyMeet) {
+  Random random(6);
+  int meeting = 0;
+  for (int i = 0; i < 300; ++i) {
+    const MadeBox a = randomBox(random, i % 5 != 0), b = randomBox(random, i % 5 != 0);
+    const double found = gapOfBoxes<double>(a.placed, a.half, b.placed, b.half);
+    const double distance = distanceByProjection(a, b);
+    EXPECT_LE(found, distance + 1e-6) << i;
+    // Along the direction of the farthest of the fifteen not much less than straight.
+    if (distance > 1e-3) {
+      EXPECT_GT(found, 0.4 * distance) << i;
+    }
+    meeting += found <= 0.0;
+  }
+  EXPECT_GT(meeting, 30);
+  EXPECT_LT(meeting, 270);
 }
 
 TEST(ReducedMath, GyroscopicImpulseTurnsMomentumWithoutChangingItsLength) {

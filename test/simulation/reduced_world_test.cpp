@@ -152,6 +152,48 @@ TEST(ReducedWorld, StepsAsOdeForTenLegs) {
   expectStepsAsOde(robot, Physics(), 0.4);
 }
 
+TEST(ReducedWorld, StepsAsOdeForLegsOfBoxes) {
+  RobotDescription robot = hexapodOfBoxes();
+  robot.contact.joint_cfm = 1e-14;  // four contacts a foot pull harder at the joints
+  expectStepsAsOde(robot, Physics(), 0.6);
+}
+
+TEST(ReducedWorld, RestsOnTheCornersOfOneSideOfABoxThatIsThinnerThanItSinksInAsInOde) {
+  RobotDescription robot = hexapodOfBoxes();
+  robot.contact.soft_cfm = 0.05;
+  for (Leg& leg : robot.legs) {
+    Shape foot;
+    foot.kind = Shape::Kind::kBox;
+    foot.size_m = {0.04, 0.03, 0.0005};
+    foot.body_from_shape.translation().z() = -0.16;
+    leg.segments[2].body.shapes.push_back(foot);
+  }
+  expectStepsAsOde(robot, Physics(), 0.3);
+}
+
+TEST(ReducedWorld, SeesLegsOfBoxesTouchAsOde) {
+  const RobotDescription robot = hexapodOfBoxes();
+  OdeWorld ode(robot, Physics());
+  ReducedWorld reduced(robot, Physics());
+  Random random(11);
+  int touching = 0, apart = 0;
+  for (int i = 0; i < 1500; ++i) {
+    RobotDescription posed = robot;
+    for (Leg& leg : posed.legs) {
+      for (Segment& segment : leg.segments) segment.joint.neutral_rad = random.uniform(-1.0, 1.0);
+    }
+    const WorldState state = standingState(posed);
+    ode.restore(state);
+    reduced.restore(state);
+    const Verdict expected = ode.step();
+    ASSERT_EQ(reduced.step(), expected) << i;
+    touching += expected == Verdict::kSelfCollided;
+    apart += expected == Verdict::kWalked;
+  }
+  EXPECT_GT(touching, 150);
+  EXPECT_GT(apart, 150);
+}
+
 TEST(ReducedWorld, SettlesAsOde) {
   const RobotDescription robot = handMadeHexapod();
   const OdeWorld ode(robot, Physics());
@@ -256,9 +298,13 @@ TEST(ReducedWorld, SaysWhichRobotsItDoesNotCover) {
   for (int i = 0; i < 2; ++i) jointed.legs[3].segments.push_back(jointed.legs[3].segments.back());
   EXPECT_NE(refusal(jointed).find("'leg_3' has 5"), std::string::npos);
 
-  RobotDescription boxed = handMadeHexapod();
-  boxed.legs[1].segments[2].body.shapes[0].kind = Shape::Kind::kBox;
-  EXPECT_NE(refusal(boxed).find("'tibia_1' has a box"), std::string::npos);
+  RobotDescription crowded = handMadeHexapod();
+  std::vector<Shape>& shapes = crowded.legs[1].segments[2].body.shapes;
+  shapes.resize(50, shapes.front());
+  EXPECT_NE(refusal(crowded).find("67 on the legs (at most 64)"), std::string::npos);
+  const EngineChoice choice = chooseEngine("reduced", crowded);
+  EXPECT_EQ(choice.engine, Engine::kOde);
+  EXPECT_NE(choice.remark.find("a hundred times as slow"), std::string::npos) << choice.remark;
 
   RobotDescription hard = handMadeHexapod();
   hard.contact.slip_per_n_s = 0.0;

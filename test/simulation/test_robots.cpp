@@ -120,6 +120,23 @@ RobotDescription hexapodWithWideHips() {
   return robot;
 }
 
+RobotDescription hexapodOfBoxes() {
+  RobotDescription robot = handMadeHexapod();
+  for (std::size_t leg = 0; leg < robot.legs.size(); ++leg) {
+    std::vector<Segment>& segments = robot.legs[leg].segments;
+    for (std::size_t s = 1; s < segments.size(); ++s) {
+      Shape& shape = segments[s].body.shapes[0];
+      // The feet of two legs stay round.
+      if (s == 2 && leg % 3 == 1) continue;
+      shape.kind = Shape::Kind::kBox;
+      shape.size_m = {1.6 * shape.radius_m, 2.0 * shape.radius_m,
+                      shape.length_m + 2.0 * shape.radius_m};
+      shape.radius_m = shape.length_m = 0.0;
+    }
+  }
+  return robot;
+}
+
 Genome standing(const RobotDescription& robot) { return Genome(robot.geneCount(), 0); }
 
 Genome tripod(const RobotDescription& robot) {

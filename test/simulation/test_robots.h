@@ -14,6 +14,9 @@ RobotDescription handMadeHexapod();
 /// The same with hips that swing so far that neighbouring legs hit each other in a full tripod.
 RobotDescription hexapodWithWideHips();
 
+/// The same hexapod on legs of boxes, but for its hips and two of its feet.
+RobotDescription hexapodOfBoxes();
+
 /// Nothing moves.
 Genome standing(const RobotDescription& robot);
 

@@ -1,19 +1,9 @@
 #pragma once
 
+#include "simulation/reduced/box_gap.h"
 #include "simulation/reduced/tree.h"
 
 namespace hexapod::reduced {
-
-/// A capsule of a leg in the world: center line and half length.
-template <typename Real>
-struct PlacedCapsule {
-  Vec3<Real> center, axis;
-};
-
-template <typename Real>
-inline Real clamped(const Real& x, double bound) {
-  return smaller<Real>(larger<Real>(x, splat<Real>(-bound)), splat<Real>(bound));
-}
 
 /// Square of the smallest distance of two segments [m^2]; parallel ones included.
 template <typename Real>
@@ -102,32 +92,52 @@ class LegClearance {
              const TreeTerms<Real, kSegments>& tree, int leg) {
     if (placed_ & (1u << leg)) return;
     placed_ |= 1u << leg;
-    for (int i = model.first_capsule[leg]; i < model.first_capsule[leg + 1]; ++i) {
-      const LegCapsule& capsule = model.capsule[i];
-      const Rotation<Real>& axes = tree.leg[leg].placement[capsule.segment].world_from_body;
-      capsules_[i] = {state.segment[leg][capsule.segment].position + axes * capsule.center,
-                      axes * capsule.axis};
+    for (int i = model.first_shape[leg]; i < model.first_shape[leg + 1]; ++i) {
+      const LegShape& shape = model.leg_shape[i];
+      const Rotation<Real>& axes = tree.leg[leg].placement[shape.segment].world_from_body;
+      capsules_[i] = {state.segment[leg][shape.segment].position + axes * shape.center,
+                      axes * shape.axes.z};
+      if (shape.is_box) {
+        boxes_[i] = {capsules_[i].center,
+                     {axes * shape.axes.x, axes * shape.axes.y, capsules_[i].axis}};
+      }
     }
   }
 
   Real clearance(const ReducedModel& model, int leg_a, int leg_b) const {
     Real smallest = splat<Real>(1e3);
-    for (int a = model.first_capsule[leg_a]; a < model.first_capsule[leg_a + 1]; ++a) {
-      for (int b = model.first_capsule[leg_b]; b < model.first_capsule[leg_b + 1]; ++b) {
-        const LegCapsule &first = model.capsule[a], &second = model.capsule[b];
-        Real squared = squaredDistance<Real>(capsules_[a], first.half_length, capsules_[b],
-                                             second.half_length);
-        applyParallelRule<Real>(capsules_[a], first.half_length, capsules_[b], second.half_length,
-                                squared);
-        const Real gap = squareRoot(squared) - (first.radius + second.radius);
-        smallest = smaller<Real>(smallest, gap);
+    for (int a = model.first_shape[leg_a]; a < model.first_shape[leg_a + 1]; ++a) {
+      for (int b = model.first_shape[leg_b]; b < model.first_shape[leg_b + 1]; ++b) {
+        smallest = smaller<Real>(smallest, gap(model, a, b));
       }
     }
     return smallest;
   }
 
+  // Not more than the distance of two shapes, and above 0 if and only if they are apart.
+  Real gap(const ReducedModel& model, int a, int b) const {
+    const LegShape &first = model.leg_shape[a], &second = model.leg_shape[b];
+    if (first.is_box && second.is_box) {
+      return gapOfBoxes<Real>(boxes_[a], first.half_size, boxes_[b], second.half_size);
+    }
+    if (second.is_box) return gapToBox(first, a, second, b);
+    if (first.is_box) return gapToBox(second, b, first, a);
+    Real squared =
+        squaredDistance<Real>(capsules_[a], first.half_length, capsules_[b], second.half_length);
+    applyParallelRule<Real>(capsules_[a], first.half_length, capsules_[b], second.half_length,
+                            squared);
+    return squareRoot(squared) - (first.radius + second.radius);
+  }
+
+  Real gapToBox(const LegShape& capsule, int at, const LegShape& box, int box_at) const {
+    const Real squared = squaredDistanceToBox<Real>(capsules_[at], capsule.half_length,
+                                                    boxes_[box_at], box.half_size);
+    return squareRoot(squared) - capsule.radius;
+  }
+
   Real clearance_[kMaxLegs][kMaxLegs];
-  PlacedCapsule<Real> capsules_[kMaxCapsules];
+  PlacedCapsule<Real> capsules_[kMaxLegShapes];
+  PlacedBox<Real> boxes_[kMaxLegShapes];  // of the shapes that are boxes
   unsigned placed_;
 };
 

@@ -61,6 +61,18 @@ inline void addContact(const ReducedModel& model, const FloorSphere& sphere,
   }
 }
 
+/// Where a corner is on the upper side of its box: above that edge of it which is the steepest. A
+/// box rests on the corners of one side only, as in ODE.
+template <typename Real>
+inline Mask<Real> onUpperSide(const FloorSphere& corner, const Rotation<Real>& axes) {
+  Real rise = Real();
+  for (const Vec3<double>& edge : corner.edge) {
+    const Real of_edge = axes.x.z * edge.x + axes.y.z * edge.y + axes.z.z * edge.z;
+    rise = select<Real>(magnitude(of_edge) > magnitude(rise), of_edge, rise);
+  }
+  return rise < 0.0;
+}
+
 /// All spheres at or below the floor at the poses the step starts from (7).
 template <typename Real, int kSegments>
 inline void findContacts(const ReducedModel& model, const Conditions<Real>& conditions,
@@ -77,8 +89,12 @@ inline void findContacts(const ReducedModel& model, const Conditions<Real>& cond
     const Rotation<Real>& axes = placement.world_from_body;
     const Vec3<double>& center = sphere.center;
     const Real up = axes.x.z * center.x + axes.y.z * center.y + axes.z.z * center.z;
-    const Real depth = sphere.radius - (body.position.z + up);
+    Real depth = sphere.radius - (body.position.z + up);
     if (!any<Real>(depth >= 0.0)) continue;
+    if (sphere.is_corner) {
+      depth = select<Real>(onUpperSide(sphere, axes), splat<Real>(-1.0), depth);
+      if (!any<Real>(depth >= 0.0)) continue;
+    }
     addContact(model, sphere, conditions, axes * center, placement.arm, depth, tree, contacts);
   }
 }

@@ -69,30 +69,51 @@ JointModel padding() {
   return made;
 }
 
-// Where on the floor this shape can rest: the points, and the radius around them.
-std::vector<Eigen::Vector3d> floorPoints(const Shape& shape) {
-  std::vector<Eigen::Vector3d> points;
-  if (shape.kind == Shape::Kind::kBox) {
-    for (int corner = 0; corner < 8; ++corner) {
-      points.push_back(0.5 * shape.size_m.cwiseProduct(Eigen::Vector3d(
-                                 corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1)));
-    }
-  } else if (shape.kind == Shape::Kind::kCapsule) {
-    points = {0.5 * shape.length_m * Eigen::Vector3d::UnitZ(),
-              -0.5 * shape.length_m * Eigen::Vector3d::UnitZ()};
-  } else {
-    points = {Eigen::Vector3d::Zero()};
+FloorSphere cornerOf(const Shape& box, int corner) {
+  const Eigen::Vector3d sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
+  FloorSphere made;
+  made.center = vec3(box.body_from_shape * (0.5 * box.size_m.cwiseProduct(sign)));
+  made.is_corner = true;
+  for (int axis = 0; axis < 3; ++axis) {
+    made.edge[axis] =
+        vec3(-sign[axis] * (box.size_m[axis] * box.body_from_shape.linear().col(axis)));
   }
-  return points;
+  return made;
+}
+
+FloorSphere capOf(const Shape& capsule, double side) {
+  FloorSphere made;
+  made.center =
+      vec3(capsule.body_from_shape * (0.5 * side * capsule.length_m * Eigen::Vector3d::UnitZ()));
+  made.radius = capsule.radius_m;
+  return made;
+}
+
+// Where on the floor this shape can rest, in the frame of its link.
+std::vector<FloorSphere> floorSpheres(const Shape& shape) {
+  std::vector<FloorSphere> spheres;
+  switch (shape.kind) {
+    case Shape::Kind::kBox:
+      for (int corner = 0; corner < 8; ++corner) spheres.push_back(cornerOf(shape, corner));
+      break;
+    case Shape::Kind::kCapsule:
+      spheres = {capOf(shape, 1.0), capOf(shape, -1.0)};
+      break;
+    case Shape::Kind::kSphere:
+      spheres = {capOf(shape, 0.0)};
+      break;
+  }
+  return spheres;
 }
 
 std::vector<FloorSphere> floorSpheres(const Body& body, int leg, int segment) {
   std::vector<FloorSphere> spheres;
   for (const Shape& shape : body.shapes) {
-    const double radius = shape.kind == Shape::Kind::kBox ? 0.0 : shape.radius_m;
-    for (const Eigen::Vector3d& point : floorPoints(shape)) {
-      const Eigen::Vector3d center = shape.body_from_shape * point - body.center_of_mass_m;
-      spheres.push_back({leg, segment, vec3(center), radius});
+    for (FloorSphere sphere : floorSpheres(shape)) {
+      sphere.leg = leg;
+      sphere.segment = segment;
+      sphere.center = sphere.center - vec3(body.center_of_mass_m);
+      spheres.push_back(sphere);
     }
   }
   return spheres;
@@ -102,16 +123,19 @@ void addSpheres(const std::vector<FloorSphere>& spheres, ReducedModel& model) {
   for (const FloorSphere& sphere : spheres) model.floor[model.spheres++] = sphere;
 }
 
-void addCapsules(const Body& body, int leg, int segment, ReducedModel& model) {
+void addLegShapes(const Body& body, int leg, int segment, ReducedModel& model) {
   for (const Shape& shape : body.shapes) {
-    LegCapsule made;
+    const Eigen::Matrix3d axes = shape.body_from_shape.linear();
+    LegShape made;
     made.leg = leg;
     made.segment = segment;
+    made.is_box = shape.kind == Shape::Kind::kBox;
     made.center = vec3(shape.body_from_shape.translation() - body.center_of_mass_m);
-    made.axis = vec3(shape.body_from_shape.linear().col(2));
+    made.axes = {vec3(axes.col(0)), vec3(axes.col(1)), vec3(axes.col(2))};
     made.half_length = shape.kind == Shape::Kind::kCapsule ? 0.5 * shape.length_m : 0.0;
     made.radius = shape.radius_m;
-    model.capsule[model.capsules++] = made;
+    for (int axis = 0; axis < 3; ++axis) made.half_size[axis] = 0.5 * shape.size_m[axis];
+    model.leg_shape[model.leg_shapes++] = made;
   }
 }
 
@@ -122,7 +146,7 @@ void addReach(const Leg& leg, int index, ReducedModel& model) {
     double reach = 0.0;
     for (const Shape& shape : leg.segments[s].body.shapes) {
       reach = std::max(reach, shape.body_from_shape.translation().norm() + 0.5 * shape.length_m +
-                                  shape.radius_m);
+                                  shape.radius_m + 0.5 * shape.size_m.norm());
     }
     model.joints[index][s].reach = std::max(reach, beyond);
     beyond =
@@ -159,21 +183,18 @@ std::string legProblem(const RobotDescription& robot) {
 
 std::string shapeProblem(const RobotDescription& robot) {
   std::size_t spheres = floorSpheres(robot.base, -1, 0).size();
-  std::size_t capsules = 0;
+  std::size_t leg_shapes = 0;
   for (const Leg& leg : robot.legs) {
     for (const Segment& segment : leg.segments) {
-      for (const Shape& shape : segment.body.shapes) {
-        if (shape.kind != Shape::Kind::kBox) continue;
-        return "shapes of legs must be capsules (URDF cylinders) or spheres, but link '" +
-               segment.body.name + "' has a box";
-      }
       spheres += floorSpheres(segment.body, 0, 0).size();
-      capsules += segment.body.shapes.size();
+      leg_shapes += segment.body.shapes.size();
     }
   }
-  if (spheres <= kMaxSpheres && capsules <= kMaxCapsules) return "";
-  return "there are too many collision shapes (at most " + std::to_string(kMaxCapsules) +
-         " on the legs and " + std::to_string(kMaxSpheres) + " corners and caps in all)";
+  if (spheres <= kMaxSpheres && leg_shapes <= kMaxLegShapes) return "";
+  return "there are too many collision shapes: " + std::to_string(leg_shapes) +
+         " on the legs (at most " + std::to_string(kMaxLegShapes) + ") with " +
+         std::to_string(spheres) + " corners and caps in all (at most " +
+         std::to_string(kMaxSpheres) + ")";
 }
 
 std::string contactProblem(const Contact& contact) {
@@ -221,7 +242,7 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
       model.bodies[leg][s] = makeBody(segment.body);
       model.joints[leg][s] = makeJoint(segment.joint, *parent, segment.body);
       addSpheres(floorSpheres(segment.body, leg, s), model);
-      if (touchCounts(physics, leg)) addCapsules(segment.body, leg, s, model);
+      if (touchCounts(physics, leg)) addLegShapes(segment.body, leg, s, model);
       parent = &segment.body;
     }
     for (int s = model.of_leg[leg]; s < model.segments; ++s) {
@@ -229,7 +250,7 @@ ReducedModel makeModel(const RobotDescription& robot, const Physics& physics) {
       model.bodies[leg][s].round_inertia = kNoInertia_kg_m2;
     }
     addReach(scaled.legs[leg], leg, model);
-    model.first_capsule[leg + 1] = model.capsules;
+    model.first_shape[leg + 1] = model.leg_shapes;
   }
   return model;
 }

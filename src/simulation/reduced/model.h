@@ -8,8 +8,8 @@ namespace hexapod::reduced {
 constexpr int kMaxLegs = 12;
 constexpr int kMinSegments = 2;  ///< a leg of fewer is padded
 constexpr int kMaxSegments = 4;
-constexpr int kMaxSpheres = 160;  ///< that can touch the floor
-constexpr int kMaxCapsules = 64;  ///< that can touch one another
+constexpr int kMaxSpheres = 384;   ///< that can touch the floor
+constexpr int kMaxLegShapes = 64;  ///< that can touch one another
 
 /// A rigid body. Its frame has its origin at the centre of mass and the axes of the link, as the
 /// body in ODE. Inertia = round * 1 + first.scale * axis axis^T + second.scale * axis axis^T.
@@ -39,14 +39,19 @@ struct FloorSphere {
   int segment = 0;
   Vec3<double> center{};  ///< [m] in the body's frame
   double radius = 0.0;    ///< [m], 0 for a corner
+  bool is_corner = false;
+  Vec3<double> edge[3] = {};  ///< of a corner: to those beside it [m]
 };
 
-/// A capsule (length 0: a sphere) of a leg, for the test of legs against each other.
-struct LegCapsule {
+/// A capsule (length 0: a sphere) or a box of a leg, for the test of legs against each other.
+struct LegShape {
   int leg = 0;
   int segment = 0;
-  Vec3<double> center{}, axis{};           ///< [m], unit; in the body's frame
-  double half_length = 0.0, radius = 0.0;  ///< [m]
+  bool is_box = false;
+  Vec3<double> center{};                   ///< [m] in the body's frame
+  Rotation<double> axes{};                 ///< a capsule lies along z
+  double half_length = 0.0, radius = 0.0;  ///< of a capsule [m]
+  double half_size[3] = {};                ///< of a box [m]
 };
 
 /// Everything about one robot that does not change, under whatever physics its legs are in the same
@@ -63,9 +68,9 @@ struct ReducedModel {
   JointModel joints[kMaxLegs][kMaxSegments];
   int spheres = 0;
   FloorSphere floor[kMaxSpheres];
-  int capsules = 0;
-  LegCapsule capsule[kMaxCapsules];  ///< leg by leg
-  int first_capsule[kMaxLegs + 1] = {};
+  int leg_shapes = 0;
+  LegShape leg_shape[kMaxLegShapes];  ///< leg by leg
+  int first_shape[kMaxLegs + 1] = {};
 
   double servo_dead_zone = 0.0;          ///< [rad/s]
   double max_correcting_velocity = 0.0;  ///< [m/s]
