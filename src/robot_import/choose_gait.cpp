@@ -113,8 +113,9 @@ class GaitChooser {
 
   // A leg that is another's mirror image takes over its pose, where that is as good.
   void copyToImages(std::vector<JudgedPose>& chosen) const {
+    // Left and right come last: they are images of each other whatever front and rear are.
     for (const Eigen::Vector3d& flip :
-         {Eigen::Vector3d(1, -1, 1), Eigen::Vector3d(-1, 1, 1), Eigen::Vector3d(-1, -1, 1)}) {
+         {Eigen::Vector3d(-1, -1, 1), Eigen::Vector3d(-1, 1, 1), Eigen::Vector3d(1, -1, 1)}) {
       for (std::size_t from = 0; from < models_.size(); ++from) {
         for (std::size_t to = from + 1; to < models_.size(); ++to) {
           copyToImage(flip, from, to, chosen);
@@ -126,8 +127,9 @@ class GaitChooser {
   void copyToImage(const Eigen::Vector3d& flip, std::size_t from, std::size_t to,
                    std::vector<JudgedPose>& chosen) const {
     const double tolerance_m = 5e-3 * models_[from].reach_m();
+    const Eigen::Vector3d middle_m(task_.middle_m.x(), task_.middle_m.y(), 0.0);
     const auto image = [&](const Eigen::Vector3d& point) -> Eigen::Vector3d {
-      return flip.cwiseProduct(point);
+      return middle_m + flip.cwiseProduct(point - middle_m);
     };
     if (models_[from].jointCount() != models_[to].jointCount() ||
         (image(models_[from].hip_m()) - models_[to].hip_m()).norm() > tolerance_m) {
@@ -139,7 +141,7 @@ class GaitChooser {
     // Outwards: each joint's sense follows from the axes once those before it are mirrored.
     for (std::size_t j = 0; j < angles.size(); ++j) {
       std::vector<double> so_far = angles;
-      const Eigen::Vector3d axis = flip.prod() * image(pose.axis[j]);
+      const Eigen::Vector3d axis = flip.prod() * flip.cwiseProduct(pose.axis[j]);
       const double sense = axis.dot(models_[to].at(so_far).axis[j]) > 0.0 ? 1.0 : -1.0;
       const Joint& joint = models_[to].leg().segments[j].joint;
       angles[j] = sense * chosen[from].angles_rad[j];

@@ -12,6 +12,9 @@ namespace {
 
 // What the fast engine simulates, and more than a leg needs for a gait of two signals.
 constexpr std::size_t kMostJoints = 4;
+// Parts of a body that hang on the base by a hinge, before and behind it.
+constexpr std::ptrdiff_t kMostSpines = 2;
+constexpr int kMostSpineJoints = 2;  // of one of them; an arm has more before it branches
 
 bool isHinge(const urdf::Joint& joint) {
   return joint.type == urdf::Joint::REVOLUTE || joint.type == urdf::Joint::CONTINUOUS;
@@ -46,17 +49,41 @@ class LegFinder {
 
   std::vector<JointChain> find(const urdf::LinkSharedPtr& base) {
     std::vector<Chain> chains;
-    for (const urdf::JointSharedPtr& first : movingBelow(base)) {
-      const std::size_t hinges = depth(first);
-      const JointChain joints = chainFrom(first);
-      if (!joints.empty()) chains.push_back({joints, hinges});
-    }
+    addChainsFrom(base, chains);
     std::vector<JointChain> legs = legsAmong(chains);
     complainOfWheels(legs);
     return legs;
   }
 
  private:
+  // A body in parts is taken as one: legs are on all of them.
+  void addChainsFrom(const urdf::LinkSharedPtr& body, std::vector<Chain>& chains) {
+    const std::vector<urdf::JointSharedPtr> joints = movingBelow(body);
+    const auto carrying =
+        std::count_if(joints.begin(), joints.end(), [&](const auto& j) { return carriesLegs(j); });
+    for (const urdf::JointSharedPtr& first : joints) {
+      if (carriesLegs(first) && carrying <= kMostSpines) {
+        fix(first, "joins parts of the body");
+        addChainsFrom(childOf(first), chains);
+        continue;
+      }
+      const std::size_t hinges = depth(first);
+      const JointChain chain = chainFrom(first);
+      if (!chain.empty()) chains.push_back({chain, hinges});
+    }
+  }
+
+  // Whether two chains or more, of two hinges at least, hang on what a joint moves, or on what the
+  // next one does.
+  bool carriesLegs(const urdf::JointSharedPtr& joint, int joints = kMostSpineJoints) const {
+    std::vector<urdf::JointSharedPtr> deep;
+    for (const urdf::JointSharedPtr& next : movingBelow(childOf(joint))) {
+      if (depth(next) >= 2) deep.push_back(next);
+    }
+    if (deep.size() >= 2) return true;
+    return deep.size() == 1 && joints > 1 && carriesLegs(deep.front(), joints - 1);
+  }
+
   urdf::LinkSharedPtr childOf(const urdf::JointSharedPtr& joint) const {
     urdf::LinkSharedPtr link;
     model_.getLink(joint->child_link_name, link);

@@ -41,7 +41,7 @@ class ShapeGuesser {
   }
 
   // Rods from joint to joint, and on to where the last link must end; of a leg with some shapes
-  // only where meshes are missing.
+  // only where meshes are missing, and of a last link that its centre of mass tells to be a limb.
   void guessLeg(Leg& leg, std::size_t first) {
     const bool has_shape = std::any_of(leg.segments.begin(), leg.segments.end(),
                                        [](const Segment& s) { return !s.body.shapes.empty(); });
@@ -54,10 +54,11 @@ class ShapeGuesser {
     const double radius_m = std::max(0.002, 0.05 * length_m);
     for (std::size_t s = 0; s < leg.segments.size(); ++s) {
       Body& body = leg.segments[s].body;
-      const bool is_guessed =
-          imported_.extras[first + s].lost_meshes > 0 || (!has_shape && has_mass);
-      if (!body.shapes.empty() || !is_guessed) continue;
       const bool is_last = s + 1 == leg.segments.size();
+      const bool is_limb = is_last && body.mass_kg > 0.0 && body.center_of_mass_m.norm() > radius_m;
+      const bool is_guessed =
+          imported_.extras[first + s].lost_meshes > 0 || (!has_shape && has_mass) || is_limb;
+      if (!body.shapes.empty() || !is_guessed) continue;
       const Eigen::Vector3d end = is_last
                                       ? tipOf(leg.segments, imported_.extras[first + s])
                                       : leg.segments[s + 1].joint.parent_from_joint.translation();

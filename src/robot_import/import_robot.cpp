@@ -13,6 +13,7 @@
 #include "robot_import/build_bodies.h"
 #include "robot_import/choose_gait.h"
 #include "robot_import/find_linkages.h"
+#include "robot_import/fit_shape.h"
 #include "robot_import/name_legs.h"
 #include "robot_import/repair_masses.h"
 #include "robot_import/shape_bodies.h"
@@ -36,11 +37,32 @@ constexpr double kLeastWay = 0.01;
 constexpr double kLongestReach_m = 5.0;
 constexpr double kDegree = M_PI / 180.0;
 
+// Which shape or joint reaches farthest from its link, where lengths are mixed up.
+std::string farthestOf(const RobotDescription& robot) {
+  double farthest_m = 0.0;
+  std::string what;
+  const auto look = [&](double far_m, const std::string& words) {
+    if (far_m > farthest_m) farthest_m = far_m, what = words;
+  };
+  for (const Leg& leg : robot.legs) {
+    for (const auto& [joint, body] : leg.segments) {
+      look(joint.parent_from_joint.translation().norm(), "the origin of joint " + joint.name);
+      for (const Shape& shape : body.shapes) {
+        for (const Eigen::Vector3d& core : corePoints(shape)) {
+          look(core.norm() + roundness_m(shape), "a shape of link " + body.name);
+        }
+      }
+    }
+  }
+  return "Farthest is " + what + ", " + numberText(std::round(farthest_m)) + " m.";
+}
+
 void refuseOtherUnits(const ImportedRobot& imported, ImportReport& report) {
   const double reach_m = legReach_m(imported.robot);
   if (reach_m <= kLongestReach_m) return;
   report.problems.add(report.source, "has legs that reach " + numberText(std::round(reach_m)) +
-                                         " m. Are its lengths in millimetres? Expected metres.");
+                                         " m. Are its lengths in millimetres? Expected metres. " +
+                                         farthestOf(imported.robot));
 }
 
 ImportedRobot read(const ImportRequest& request, ImportReport& report) {
@@ -178,7 +200,7 @@ ImportResult importRobot(const ImportRequest& request) {
       best = std::move(result);
       if (scale < 1.0) {
         best.remarks.push_back(
-            line("gait: most random gaits fall with wide strokes: strokes and "
+            line("gait: most random gaits fall, or legs touch, with wide strokes: strokes and "
                  "lifts are %.2f of the usual.",
                  scale));
       }

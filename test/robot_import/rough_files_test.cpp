@@ -56,6 +56,35 @@ INSTANTIATE_TEST_SUITE_P(
                     replacedAll(chainUrdf("a", 2, 0.05, 0.05), "</robot>",
                                 chainUrdf("b", 2, -0.05, 0.05))));  // a pair of them
 
+// With legs `of` hung on a part of the body of its own, behind a joint in the frame of the base.
+std::string inParts(std::string urdf, const std::vector<std::string>& of, const std::string& part) {
+  for (const std::string& leg : of) {
+    const std::string child = "<child link='coxa_" + leg + "'/>";
+    urdf =
+        replacedAll(urdf, "<parent link='base'/>" + child, "<parent link='" + part + "'/>" + child);
+  }
+  return replacedAll(urdf, "</robot>",
+                     "<joint name='to_" + part +
+                         "' type='revolute'><parent link='base'/><child link='" + part +
+                         "'/><axis xyz='0 0 1'/><limit lower='-0.5' upper='0.5' effort='5' "
+                         "velocity='3'/></joint><link name='" +
+                         part +
+                         "'><inertial><mass value='0.3'/><inertia ixx='1e-3' iyy='1e-3' izz='1e-3' "
+                         "ixy='0' ixz='0' iyz='0'/></inertial></link></robot>");
+}
+
+TEST(RoughFiles, ABodyInPartsIsTakenAsOne) {
+  const ImportResult whole = import(hexapodUrdf({}));
+  const std::string rear = inParts(hexapodUrdf({}), {"l3", "r3"}, "rear");
+  for (const std::string& urdf : {rear, inParts(rear, {"l1", "r1"}, "front")}) {
+    const ImportResult result = import(urdf);
+    expectReady(result);
+    EXPECT_TRUE(isRemarked(result, "joins parts of the body: made fixed"));
+    EXPECT_EQ(legNames(result.robot), legNames(whole.robot));
+    EXPECT_EQ(result.robot.jointCount(), 18u);
+  }
+}
+
 TEST(RoughFiles, ALegIsALegWhateverOneOfItsLinksIsCalled) {
   const ImportResult result = import(replacedAll(hexapodUrdf({}), "tibia_l1", "antenna_l1"));
   expectReady(result);
@@ -153,6 +182,19 @@ TEST(RoughFiles, MissingMeshesAreGuessedLinkByLink) {
   expectReady(bare);
   EXPECT_TRUE(isRemarked(bare, "has nothing that tells where it ends"));
   EXPECT_NEAR(legReach_m(bare.robot), 0.05 + 0.09 + 0.09, 0.01);
+}
+
+TEST(RoughFiles, AShinThatIsOnlyAMassIsGuessedFromIt) {
+  std::string urdf = hexapodUrdf({});
+  const std::string shin = "<link name='tibia_";
+  for (std::size_t at = urdf.find(shin); at != std::string::npos; at = urdf.find(shin, at + 1)) {
+    const std::size_t length = urdf.find("</link>", at) - at;
+    urdf.replace(at, length, without(without(urdf.substr(at, length), "visual"), "collision"));
+  }
+  const ImportResult result = import(urdf);
+  expectReady(result);
+  EXPECT_NEAR(legReach_m(result.robot), 0.27, 0.01);
+  EXPECT_TRUE(isRemarked(result, "has no shape that could be read"));
 }
 
 TEST(RoughFiles, TheNearestLegIsNamedWhereLeftAndRightDiffer) {
