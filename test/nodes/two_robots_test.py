@@ -9,6 +9,8 @@ import pytest
 rospy = pytest.importorskip("rospy")
 # pylint: disable=wrong-import-position
 import tf2_msgs.msg
+from visualization_msgs.msg import MarkerArray
+
 from walking_session import ROOT, WalkingSession, wait_for
 
 WALL_TIMEOUT_S = 60.0
@@ -36,7 +38,7 @@ print(result.code, odometry.header.frame_id, odometry.child_frame_id, at.x, at.y
 
 
 def launch_file(folder, repertoire):
-    """Includes walk.launch once per robot."""
+    """Includes walk.launch once per robot, and what rviz.launch starts beside rviz."""
     robots = "".join(f"""
       <group ns="{name}">
         <include file="{ROOT}/launch/walk.launch">
@@ -44,6 +46,12 @@ def launch_file(folder, repertoire):
           <arg name="engine" value="reduced"/>
           <arg name="tf_prefix" value="{name}"/>
         </include>
+        <node name="browser" pkg="hexapod_repertoire" type="browser">
+          <param name="robot_config" value="{ROOT}/config/hexapod.yaml"/>
+          <param name="player" value="robot"/>
+          <param name="global_frame" value="{name}/odom"/>
+          <param name="base_frame" value="{name}/base_footprint"/>
+        </node>
       </group>""" for name in GOALS)
     file = folder / "two.launch"
     file.write_text(f"<launch>{robots}</launch>")
@@ -63,6 +71,19 @@ def start_session():
         finally:
             launch.terminate()
             launch.wait(WALL_TIMEOUT_S)
+
+
+def test_each_repertoire_is_shown_where_its_robot_stands(session):
+    heard = set()
+    subscriber = rospy.Subscriber("/tf_static", tf2_msgs.msg.TFMessage, lambda message: heard.update(
+        (one.header.frame_id, one.child_frame_id) for one in message.transforms), queue_size=10)
+    for name in GOALS:
+        shown = rospy.wait_for_message(f"/{name}/repertoire_markers", MarkerArray, WALL_TIMEOUT_S)
+        assert {marker.header.frame_id for marker in shown.markers
+                if marker.action == marker.ADD} == {f"{name}/repertoire_origin"}
+        wait_for(lambda: (f"{name}/odom", f"{name}/repertoire_origin") in heard, WALL_TIMEOUT_S,
+                 f"the place of the repertoire of {name}")
+    subscriber.unregister()
 
 
 def test_each_walks_to_its_goal_in_frames_of_its_own(session):

@@ -35,12 +35,20 @@ constexpr double kHistory_s = 10.0;
 constexpr double kMoved_m = 0.002;
 constexpr double kMoved_rad = 0.01;
 
+// With the prefix of the robot's other frames.
+std::string originFrame(const std::string& global_frame) {
+  const std::size_t slash = global_frame.rfind('/');
+  const std::string prefix = slash == std::string::npos ? "" : global_frame.substr(0, slash + 1);
+  return prefix + names::kRepertoireOriginFrame;
+}
+
 }  // namespace
 
 BrowserNode::BrowserNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                          const BrowserOptions& options, const RobotDescription& robot)
     : options_(options),
       robot_(robot),
+      origin_frame_(originFrame(options.pose.global_frame)),
       buffer_(ros::Duration(kHistory_s)),
       ears_(clock_, buffer_),
       poses_(options_.pose, clock_, buffer_),
@@ -48,7 +56,7 @@ BrowserNode::BrowserNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
           node.advertise<visualization_msgs::MarkerArray>("repertoire_markers", 1, true)),
       entry_publisher_(node.advertise<visualization_msgs::MarkerArray>("entry_markers", 1, true)),
       step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)),
-      handle_(node, names::kRepertoireOriginFrame, buffer_,
+      handle_(node, origin_frame_, buffer_,
               [this](ArchiveHandle::Wish wish, const Entry& entry) { onClick(wish, entry); }) {
   standAt({});
   if (options_.player == Player::kRobot) {
@@ -98,8 +106,8 @@ void BrowserNode::followRobot() {
 
 void BrowserNode::standAt(const Pose2& pose) {
   origin_ = pose;
-  origin_broadcaster_.sendTransform(toTransformMsg(inSpace(pose), options_.pose.global_frame,
-                                                   names::kRepertoireOriginFrame, clock_.rosNow()));
+  origin_broadcaster_.sendTransform(
+      toTransformMsg(inSpace(pose), options_.pose.global_frame, origin_frame_, clock_.rosNow()));
 }
 
 void BrowserNode::receive(const hexapod_repertoire::Repertoire::ConstPtr& message) {
@@ -135,8 +143,8 @@ void BrowserNode::showRepertoire() {
   std::copy_if(repertoire_.entries.begin(), repertoire_.entries.end(),
                std::back_inserter(shown_.entries),
                [this](const Entry& entry) { return filter_.passes(entry); });
-  visualization_msgs::MarkerArray array = repertoireMarkers(shown_, names::kRepertoireOriginFrame);
-  const auto scene = sceneMarkers(robot_, shown_, names::kRepertoireOriginFrame);
+  visualization_msgs::MarkerArray array = repertoireMarkers(shown_, origin_frame_);
+  const auto scene = sceneMarkers(robot_, shown_, origin_frame_);
   array.markers.insert(array.markers.end(), scene.markers.begin(), scene.markers.end());
   marker_publisher_.publish(array);
   handle_.show(shown_.entries);

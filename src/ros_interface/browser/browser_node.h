@@ -31,8 +31,8 @@ namespace hexapod {
 /// interactive marker of repertoire_handles, ~step_report for what the robot played, ~choose to
 /// show or play an entry by its id. Entries that repertoire_filter leaves out are not there.
 ///
-/// The archive is drawn in the frame repertoire_origin, which this node publishes: where the robot
-/// last stood. It stays there while the body moves.
+/// The archive is drawn in the frame repertoire_origin, with the prefix of global_frame, which this
+/// node publishes: where the robot last stood. It stays there while the body moves.
 class BrowserNode {
  public:
   /// Throws std::invalid_argument when the robot cannot be simulated.
@@ -63,6 +63,7 @@ class BrowserNode {
 
   const BrowserOptions options_;
   const RobotDescription robot_;
+  const std::string origin_frame_;
   SystemClock clock_;
   tf2::BufferCore buffer_;
   TransformEars ears_;
