@@ -75,6 +75,19 @@ class Arguments {
   std::size_t next_ = 0;
 };
 
+// Of other names applyOptions() does not know.
+void refuseMisspeltShortName(const std::string& name, const std::vector<Option>& options,
+                             const std::map<std::string, std::string>& short_names) {
+  std::vector<std::string> names;
+  for (const Option& option : options) names.push_back(option.name);
+  for (const auto& [short_name, full_name] : short_names) names.push_back(short_name);
+  if (std::find(names.begin(), names.end(), name) != names.end()) return;
+  const std::string nearest = nearestName(name, names);
+  if (short_names.count(nearest) == 0) return;
+  throw std::invalid_argument(kCommandLine + ": '" + name +
+                              "' is not a known option; did you mean '" + nearest + "'.");
+}
+
 OptionValue valueOf(const Argument& argument, const Option* option) {
   if (!argument.value && isFlag(option)) return true;
   if (!argument.value && option) {
@@ -94,6 +107,7 @@ std::map<std::string, OptionValue> valuesFromCommandLine(
   Arguments arguments(words, options, short_names);
   while (arguments.areLeft()) {
     const Argument argument = arguments.take();
+    refuseMisspeltShortName(argument.name, options, short_names);
     const OptionValue value = valueOf(argument, find(options, argument.name));
     if (values.emplace(argument.name, value).second) continue;
     throw std::invalid_argument(kCommandLine + ": '" + argument.name +

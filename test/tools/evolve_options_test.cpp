@@ -84,6 +84,11 @@ TEST(EvolveOptions, SuggestsTheNearestName) {
   EXPECT_TRUE(mentions(sentence, "did you mean 'novelty_threshold_m'")) << sentence;
 }
 
+TEST(EvolveOptions, SuggestsTheNearestShortName) {
+  const std::string sentence = complaintOf({"--fiel", "a.db"});
+  EXPECT_TRUE(mentions(sentence, "'fiel' is not a known option; did you mean 'file'")) << sentence;
+}
+
 TEST(EvolveOptions, TellsAllThatIsWrongAtOnce) {
   const std::string sentence = complaintOf({"--sed", "1", "--threads", "-3", "--engine", "bullet"});
   for (const char* part : {"'sed'", "'threads'", "0 .. 1024", "'engine'", "reduced or ode"}) {
