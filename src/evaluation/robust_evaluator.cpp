@@ -36,15 +36,26 @@ RobustEvaluator::RobustEvaluator(Evaluator& nominal, const std::shared_ptr<World
       hooks_{nullptr, cancelled},
       worlds_(pool, allPhysics(options, pool->physics(), behavior.command_period_s, seed),
               behavior),
-      gaits_(gaitsOf(pool->robot(), behavior)) {}
+      gaits_(gaitsOf(pool->robot(), behavior)) {
+  if (!options_.steadinessAlone() || options_.isOn()) return;
+  throw std::invalid_argument(
+      "'quality' is steadiness, which only runs under other conditions show: set perturbed_physics "
+      "or perturbed_start_states above 0.");
+}
 
 std::vector<Outcome> RobustEvaluator::evaluate(const std::vector<Genome>& genomes) {
   std::vector<Outcome> outcomes = nominal_->evaluate(genomes);
   if (!options_.isOn()) return outcomes;
-  for (Outcome& outcome : outcomes) {
-    if (outcome.walked()) outcome.cost += options_.first_look_handicap_rad;
-  }
+  for (Outcome& outcome : outcomes) outcome = atFirst(outcome);
   return outcomes;
+}
+
+Outcome RobustEvaluator::atFirst(const Outcome& nominal) const {
+  Outcome outcome = nominal;
+  if (!outcome.walked()) return outcome;
+  if (options_.steadinessAlone()) outcome.cost = 0.0;
+  outcome.cost += options_.first_look_handicap_rad;
+  return outcome;
 }
 
 int RobustEvaluator::looks() const {
@@ -107,6 +118,7 @@ Outcome RobustEvaluator::whole(const std::vector<Outcome>& outcomes) const {
     error_rad += outcome.cost / static_cast<double>(outcomes.size());
   }
   const Execution execution = summarize(outcomes);
+  if (options_.steadinessAlone()) error_rad = execution.spread_rad;
   Outcome result = walkedTo(execution.mean);
   error_rad += options_.spread_weight_rad_per_m * execution.spread_m;
   result.cost = std::round(error_rad * 1e5) / 1e5;

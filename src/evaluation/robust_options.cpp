@@ -27,6 +27,11 @@ std::vector<Option> declareOptions(RobustnessOptions& options) {
              "So many of these runs come first, and the others only for candidates that would "
              "enter the archive even by what those show; 0: all at once.",
              0, 200),
+      option("quality", options.quality,
+             "What candidates compete with: the orientation error, to which the spread over these "
+             "runs adds, or the steadiness, which is that spread alone: for ends of any heading "
+             "(heading_m_per_rad).",
+             {"orientation_error", "steadiness"}),
       option("spread_weight_rad_per_m", options.spread_weight_rad_per_m, "rad/m",
              "What a metre of spread of the end positions over these runs counts in the "
              "orientation error that candidates compete with.",

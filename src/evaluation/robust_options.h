@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "common/options.h"
@@ -15,6 +16,9 @@ struct RobustnessOptions {
   /// Of these runs so many are for the second look, the others for the third, 0 .. 200; 0: all are
   /// for the second.
   std::int64_t screening_runs = 0;
+  /// What candidates compete with: "orientation_error", its mean over all runs plus what their
+  /// spread counts, or "steadiness", the spread alone.
+  std::string quality = "orientation_error";
   /// What a metre of spread counts as orientation error [rad/m].
   double spread_weight_rad_per_m = 4.0;
   /// Added to the orientation error of a first look, for what perturbations will add at least
@@ -30,6 +34,7 @@ struct RobustnessOptions {
   /// Runs beside the nominal one.
   std::int64_t runs() const { return perturbed_physics + start_states; }
   bool isOn() const { return runs() > 0; }
+  bool steadinessAlone() const { return quality == "steadiness"; }
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

@@ -27,7 +27,7 @@ RobustWorlds::~RobustWorlds() = default;
 
 std::vector<BatchResult> RobustWorlds::play(const std::vector<Genome>& genomes,
                                             const std::vector<Run>& runs, const PlayHooks& hooks) {
-  const Behaviors behaviors = behaviorsOf(genomes);
+  Behaviors behaviors = behaviorsOf(genomes);
   // What takes longest is begun first, so that all threads end at about the same time.
   std::vector<std::size_t> order(runs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -47,6 +47,9 @@ std::vector<BatchResult> RobustWorlds::play(const std::vector<Genome>& genomes,
     playOneByOne(queue);
   }
   if (hooks.cancelled != nullptr && *hooks.cancelled) throw EvaluationCancelled();
+  // Hundreds of small pieces each: left to the end, one thread would put them away while others
+  // wait.
+  pool_->forEach(behaviors.size(), [&](World& /*world*/, std::size_t i) { behaviors[i].reset(); });
   std::vector<BatchResult> results(runs.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     results[order[k]] = std::move(queue.results()[k]);

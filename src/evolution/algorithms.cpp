@@ -31,9 +31,15 @@ std::unique_ptr<Generational> make(const AlgorithmChoice& choice, const Task& ta
     return std::make_unique<BrEvolution>(choice.evolution, task, start);
   }
   const MapElitesOptions& map = choice.map_elites;
+  const PoseMetric metric = metricOf(choice.evolution);
+  if (choice.name == kCvtMapElites && metric.heading_m_per_rad > 0.0) {
+    throw std::invalid_argument(
+        "The option heading_m_per_rad is above 0, and cvt_map_elites has cells of the plane only: "
+        "choose map_elites or br_evolution, or set it to 0.");
+  }
   const Cells cells = choice.name == kCvtMapElites
                           ? voronoiCells(static_cast<std::size_t>(map.cvt_cells), map.cvt_radius_m)
-                          : gridCells(map.cell_m);
+                          : gridCells(map.cell_m, metric);
   return std::make_unique<MapElites>(choice.evolution, task, cells, start);
 }
 

@@ -10,7 +10,8 @@ namespace hexapod {
 BrEvolution::BrEvolution(const EvolutionOptions& options, const Task& task, const Random& random)
     : Generational(options.candidatesPerGeneration(), task, options.offer_twins, random),
       options_(options),
-      novelty_threshold_m_(options.novelty_threshold_m) {
+      novelty_threshold_m_(options.novelty_threshold_m),
+      archive_(metricOf(options)) {
   requireValid(options);
 }
 
@@ -19,7 +20,7 @@ BrEvolution::BrEvolution(const EvolutionOptions& options, const Task& task,
     : BrEvolution(options, task, state.random) {
   goOn(state);
   novelty_threshold_m_ = noveltyThresholdAfter(counters_.evaluations, options_);
-  archive_ = Archive(state.archive);
+  archive_ = Archive(state.archive, metricOf(options_));
 }
 
 std::vector<Genome> BrEvolution::breed(std::size_t count, Random& random) const {
@@ -32,9 +33,14 @@ std::vector<Genome> BrEvolution::breed(std::size_t count, Random& random) const 
 std::vector<std::size_t> BrEvolution::promising(const std::vector<Individual>& pool,
                                                 int looks) const {
   const Neighbourhood neighbourhood(archive_, pool, static_cast<std::size_t>(options_.neighbours));
+  // Not bool: its bits would be shared by threads.
+  std::vector<char> is_promising(pool.size(), 0);
+  forEach(pool.size(), [&](std::size_t i) {
+    is_promising[i] = pool[i].looks == looks && isPromising(pool[i], neighbourhood);
+  });
   std::vector<std::size_t> promising;
   for (std::size_t i = 0; i < pool.size(); ++i) {
-    if (pool[i].looks == looks && isPromising(pool[i], neighbourhood)) promising.push_back(i);
+    if (is_promising[i]) promising.push_back(i);
   }
   return promising;
 }
@@ -52,44 +58,45 @@ bool BrEvolution::isPromising(const Individual& individual,
   std::vector<Individual> images = twins(individual);
   images.push_back(individual);
   return std::any_of(images.begin(), images.end(), [&](const Individual& image) {
-    if (archive_.contains(image.genome)) return false;
-    const Pose2& end = image.outcome.end_pose;
-    const auto nearest = archive_.nearest(end.x_m, end.y_m, 1);
-    return (!nearest.empty() && image.outcome.cost < archive_.entries()[nearest[0].slot].cost) ||
-           neighbourhood.isNovel(image, novelty_threshold_m_);
+    return !archive_.contains(image.genome) && neighbourhood.isWanted(image, novelty_threshold_m_);
   });
 }
 
 std::vector<Objectives> BrEvolution::offerToArchive(Pool& pool) {
-  Neighbourhood neighbourhood(archive_, pool.individuals,
-                              static_cast<std::size_t>(options_.neighbours));
+  std::vector<Individual>& individuals = pool.individuals;
+  Neighbourhood neighbourhood(archive_, individuals, static_cast<std::size_t>(options_.neighbours));
+  std::vector<Neighbourhood::View> views(individuals.size());
+  forEach(views.size(), [&](std::size_t i) { views[i] = neighbourhood.view(individuals[i]); });
   std::vector<Objectives> objectives;
-  objectives.reserve(pool.individuals.size());
-  for (std::size_t i = 0; i < pool.individuals.size(); ++i) {
-    Individual& individual = pool.individuals[i];
-    objectives.push_back(neighbourhood.objectives(individual));
+  objectives.reserve(individuals.size());
+  for (std::size_t i = 0; i < individuals.size(); ++i) {
+    Individual& individual = individuals[i];
+    neighbourhood.refresh(individual, views[i]);
+    objectives.push_back(views[i].objectives);
     if (!individual.outcome.walked() || individual.looks < looks()) continue;
     const std::vector<Individual> images =
         pool.is_news[i] ? twins(individual) : std::vector<Individual>();
-    const OfferResult result = offer(individual, objectives.back()[0]);
-    if (result.status != AddStatus::kRejected) neighbourhood.moveToArchive(individual);
+    const OfferResult result = offer(individual, objectives.back()[0], neighbourhood);
     if (result.status == AddStatus::kSwapped && options_.swap == "exchange") {
       individual = individualOf(*result.displaced, looks());
       neighbourhood.moveToPool(individual);
       objectives.back() = neighbourhood.objectives(individual);
     }
     for (const Individual& twin : images) {
-      const OfferResult twin_result = offer(twin, neighbourhood.objectives(twin)[0]);
-      if (twin_result.status != AddStatus::kRejected) neighbourhood.moveToArchive(twin);
+      offer(twin, neighbourhood.objectives(twin)[0], neighbourhood);
     }
   }
   return objectives;
 }
 
-OfferResult BrEvolution::offer(const Individual& individual, double novelty_m) {
+OfferResult BrEvolution::offer(const Individual& individual, double novelty_m,
+                               Neighbourhood& neighbourhood) {
   OfferResult result = archive_.offer(entryOf(individual), novelty_m, novelty_threshold_m_);
   if (result.status == AddStatus::kAdded) ++counters_.added;
   if (result.status == AddStatus::kSwapped) ++counters_.swapped;
+  if (result.status != AddStatus::kRejected) {
+    neighbourhood.moveToArchive(individual, result.displaced);
+  }
   return result;
 }
 

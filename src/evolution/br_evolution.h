@@ -70,7 +70,7 @@ class BrEvolution : public Generational {
 
   bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
   std::vector<Objectives> offerToArchive(Pool& pool);
-  OfferResult offer(const Individual& individual, double novelty_m);
+  OfferResult offer(const Individual& individual, double novelty_m, Neighbourhood& neighbourhood);
 
   EvolutionOptions options_;
   double novelty_threshold_m_;

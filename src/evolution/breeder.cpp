@@ -35,8 +35,7 @@ const Genome& Breeder::parent(Random& random) const {
 const Entry& Breeder::bestAround(const Entry& entry) const {
   if (archive_tournament_ <= 1) return entry;
   const Entry* best = &entry;
-  const Pose2& end = entry.end_pose;
-  for (const Neighbour& near : archive_.nearest(end.x_m, end.y_m, archive_tournament_)) {
+  for (const Neighbour& near : archive_.nearest(entry.end_pose, archive_tournament_)) {
     const Entry& rival = archive_.entries()[near.slot];
     if (rival.cost < best->cost) best = &rival;
   }

@@ -1,5 +1,6 @@
 #include "evolution/cells.h"
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -39,10 +40,14 @@ std::vector<Pose2> diskPoints(double count) {
 
 }  // namespace
 
-Cells gridCells(double cell_m) {
+Cells gridCells(double cell_m, const PoseMetric& metric) {
   requireLength(cell_m, "cells");
-  return [cell_m](const Pose2& end) {
-    return Cell{std::llround(end.x_m / cell_m), std::llround(end.y_m / cell_m)};
+  const std::int64_t parts =
+      std::max<std::int64_t>(1, std::llround(2.0 * M_PI * metric.heading_m_per_rad / cell_m));
+  return [cell_m, parts](const Pose2& end) {
+    const auto part = std::llround(end.yaw_rad / (2.0 * M_PI) * static_cast<double>(parts));
+    return Cell{std::llround(end.x_m / cell_m), std::llround(end.y_m / cell_m),
+                (part + parts) % parts};
   };
 }
 
@@ -54,11 +59,11 @@ Cells voronoiCells(std::size_t count, double radius_m) {
   const std::vector<Pose2> points = diskPoints(kPointsPerCell * static_cast<double>(count));
   std::int64_t number = 0;
   for (const Target& centroid : kMeans(points, count, Random(kSeed))) {
-    centroids->insert({centroid.x_m, centroid.y_m, number++, 0});
+    centroids->insert({{centroid.x_m, centroid.y_m, 0.0}, number++, 0});
   }
   return [centroids, radius_m](const Pose2& end) {
-    const auto nearest = centroids->nearest(end.x_m / radius_m, end.y_m / radius_m, 1);
-    return Cell{nearest[0].id, 0};
+    const auto nearest = centroids->nearest({end.x_m / radius_m, end.y_m / radius_m, 0.0}, 1);
+    return Cell{nearest[0].id};
   };
 }
 

@@ -36,6 +36,12 @@ std::vector<Option> declareOptions(EvolutionOptions& options) {
       option("novelty_threshold_m", options.novelty_threshold_m, "m",
              "Mean distance to the neighbours above which an end point enters the archive.", 0.0,
              10.0),
+      option(
+          "heading_m_per_rad", options.heading_m_per_rad, "m/rad",
+          "What a radian between the headings of two ends counts in their distance, so that ends "
+          "of one place and several headings are all new: side steps, turns on the spot. 0: "
+          "positions alone.",
+          0.0, 100.0),
       option("mutation_rate", options.mutation_rate, "",
              "Probability that a gene of a child is drawn anew.", 0.0, 1.0),
       option("diversity", options.diversity,
@@ -66,6 +72,8 @@ std::vector<Option> declareOptions(EvolutionOptions& options) {
              "It goes no further down than this.", 0.0, 10.0),
   };
 }
+
+PoseMetric metricOf(const EvolutionOptions& options) { return {options.heading_m_per_rad}; }
 
 double noveltyThresholdAfter(std::int64_t evaluations, const EvolutionOptions& options) {
   const double start_m = options.novelty_threshold_m;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,10 @@ class Generational : public Algorithm {
 
   const GenomeSpace& space() const { return task_.space; }
   int looks() const { return task_.looks; }
+  /// Calls work(i) once for every i < count, perhaps by several threads at once.
+  void forEach(std::size_t count, const std::function<void(std::size_t)>& work) const {
+    task_.spread(count, work);
+  }
 
   /// The image of the individual under each symmetry in use.
   std::vector<Individual> twins(const Individual& individual) const;

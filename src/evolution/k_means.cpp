@@ -48,7 +48,7 @@ std::vector<Target> seeds(const std::vector<Pose2>& points, std::size_t count, R
 PointIndex indexOf(const std::vector<Target>& targets) {
   PointIndex index;
   for (std::size_t k = 0; k < targets.size(); ++k) {
-    index.insert({targets[k].x_m, targets[k].y_m, static_cast<std::int64_t>(k), k});
+    index.insert({{targets[k].x_m, targets[k].y_m, 0.0}, static_cast<std::int64_t>(k), k});
   }
   return index;
 }
@@ -83,7 +83,7 @@ std::vector<Target> kMeans(const std::vector<Pose2>& points, std::size_t count, 
     moved = false;
     const PointIndex index = indexOf(targets);
     for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::size_t owner = index.nearest(points[i].x_m, points[i].y_m, 1)[0].slot;
+      const std::size_t owner = index.nearest(points[i], 1)[0].slot;
       moved = moved || owner != owners[i];
       owners[i] = owner;
     }

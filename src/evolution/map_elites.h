@@ -12,9 +12,10 @@
 
 namespace hexapod {
 
-/// MAP-Elites (Mouret & Clune 2015) on end positions: the plane is cut into cells, and each keeps
-/// the best aligned controller that ended in it, of equally aligned ones the first. Candidates are
-/// mutated copies of elites drawn uniformly; they are drawn at random until something has walked.
+/// MAP-Elites (Mouret & Clune 2015) on ends: the plane, or the space of poses, is cut into cells,
+/// and each keeps the controller of the least cost that ended in it, of equally good ones the
+/// first. Candidates are mutated copies of elites drawn uniformly; they are drawn at random until
+/// something has walked.
 ///
 /// Of the options it takes candidates (0: population_size of them), mutation_rate and
 /// offer_twins: with that the mirror images of a candidate compete for their cells, too. In a task

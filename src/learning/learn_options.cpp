@@ -65,9 +65,9 @@ std::vector<Option> declareOptions(LearnOptions& options) {
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05),
       option("length_scale", options.length_scale, "",
-             "novelty_threshold_m, novelty_threshold_min_m, cell_m and cvt_radius_m are multiplied "
-             "with it and "
-             "spread_weight_rad_per_m is divided by it; 0: by the reach of the robot's legs over "
+             "novelty_threshold_m, novelty_threshold_min_m, heading_m_per_rad, cell_m and "
+             "cvt_radius_m are multiplied with it and spread_weight_rad_per_m is divided by it; 0: "
+             "by the reach of the robot's legs over "
              "the 0.29 m that these are made for, and by less for feet that step less far for it.",
              0.0, 1000.0),
       option(
@@ -107,6 +107,7 @@ LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options) {
   if (options.length_scale == 0.0) options.length_scale = strideScale(robot);
   options.evolution.novelty_threshold_m *= options.length_scale;
   options.evolution.novelty_threshold_min_m *= options.length_scale;
+  options.evolution.heading_m_per_rad *= options.length_scale;
   options.map_elites.cell_m *= options.length_scale;
   options.map_elites.cvt_radius_m *= options.length_scale;
   options.robustness.spread_weight_rad_per_m /= options.length_scale;

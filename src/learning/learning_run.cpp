@@ -10,10 +10,14 @@ namespace {
 
 std::unique_ptr<Generational> algorithmOf(const RobotDescription& robot,
                                           const LearnOptions& options,
+                                          const std::shared_ptr<WorldPool>& worlds,
                                           CandidateEvaluator& evaluator, const RunStart& start) {
   const AlgorithmChoice choice{options.algorithm, options.evolution, options.map_elites};
-  const Task task(gaitsOf(robot, options.behavior), evaluator.evaluator().looks(),
-                  evaluator.symmetries());
+  Task task(gaitsOf(robot, options.behavior), evaluator.evaluator().looks(),
+            evaluator.symmetries());
+  task.spread = [worlds](std::size_t count, const std::function<void(std::size_t)>& work) {
+    worlds->forEach(count, [&](World& /*world*/, std::size_t i) { work(i); });
+  };
   if (start.resumed) return makeAlgorithm(choice, task, start.resumed->checkpoint.evolution);
   auto algorithm = makeAlgorithm(choice, task, Random(static_cast<std::uint64_t>(options.seed)));
   if (start.warm) algorithm->beginWith(start.warm->genomes);
@@ -36,7 +40,7 @@ LearningRun::LearningRun(const RobotDescription& robot, const LearnOptions& opti
       worlds_(std::make_shared<WorldPool>(engine_.engine, robot, nominalPhysics(robot, options),
                                           static_cast<int>(options.threads))),
       evaluator_(worlds_, options, cancelled, workers),
-      algorithm_(algorithmOf(robot, options, evaluator_, start)) {
+      algorithm_(algorithmOf(robot, options, worlds_, evaluator_, start)) {
   if (start.resumed) goOn(*start.resumed);
 }
 

@@ -33,6 +33,8 @@ std::string differences(const Repertoire& stored, const RobotDescription& robot,
   // A file from before there was a choice.
   Options then = stored.options;
   then.emplace("gene_levels", std::to_string(kGeneLevels));
+  then.emplace("heading_m_per_rad", "0");
+  then.emplace("quality", "orientation_error");
   std::set<std::string> names;
   for (const auto& [name, text] : then) names.insert(name);
   for (const auto& [name, text] : wanted) names.insert(name);

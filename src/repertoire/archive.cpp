@@ -8,12 +8,12 @@ namespace hexapod {
 namespace {
 
 IndexedPoint pointOf(const Entry& entry, std::size_t slot) {
-  return {entry.end_pose.x_m, entry.end_pose.y_m, entry.id, slot};
+  return {entry.end_pose, entry.id, slot};
 }
 
 }  // namespace
 
-Archive::Archive(const std::vector<Entry>& entries) {
+Archive::Archive(const std::vector<Entry>& entries, const PoseMetric& metric) : index_(metric) {
   for (const Entry& entry : entries) {
     requireValid(entry);
     if (contains(entry.genome)) {
@@ -32,7 +32,7 @@ OfferResult Archive::offer(const Entry& candidate, double novelty_m, double nove
     add(candidate);
     return {AddStatus::kAdded, std::nullopt};
   }
-  const auto nearest = index_.nearest(candidate.end_pose.x_m, candidate.end_pose.y_m, 1);
+  const auto nearest = index_.nearest(candidate.end_pose, 1);
   if (nearest.empty()) return {AddStatus::kRejected, std::nullopt};
   const std::size_t slot = nearest.front().slot;
   if (candidate.cost >= entries_[slot].cost) {

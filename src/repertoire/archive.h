@@ -27,15 +27,15 @@ struct OfferResult {
 /// entries found so far, looked up by where they end.
 ///
 /// It never shrinks; a swap never worsens an orientation error; ids and genomes are unique in it.
-/// Nearest means by distance between end positions as learned, headings play no part; of equally
-/// near entries the one with the lower id. Answers do not depend on the order of the entries.
-/// Const functions may be called from any thread.
+/// Nearest means by the archive's metric, the paper's has end positions as learned alone, without
+/// their headings; of equally near entries the one with the lower id. Answers do not depend on the
+/// order of the entries. Const functions may be called from any thread.
 class Archive {
  public:
-  Archive() = default;
+  explicit Archive(const PoseMetric& metric = {}) : index_(metric) {}
   /// Throws std::invalid_argument naming the entry when a pose is not finite, an orientation error
   /// not finite or negative, or an id or genome occurs twice.
-  explicit Archive(const std::vector<Entry>& entries);
+  explicit Archive(const std::vector<Entry>& entries, const PoseMetric& metric = {});
 
   /// Algorithm 1: adds the candidate when its novelty is above the threshold; otherwise swaps it
   /// with its nearest entry when its orientation error is smaller. Never both: an offer that adds
@@ -45,11 +45,12 @@ class Archive {
 
   const std::vector<Entry>& entries() const { return entries_; }
   std::size_t size() const { return entries_.size(); }
+  const PoseMetric& metric() const { return index_.metric(); }
   bool contains(const Genome& genome) const { return genomes_.count(genome) > 0; }
 
-  /// The `count` entries nearest to a position, or all when there are fewer; slots index entries().
-  std::vector<Neighbour> nearest(double x_m, double y_m, std::size_t count) const {
-    return index_.nearest(x_m, y_m, count);
+  /// The `count` entries nearest to an end, or all when there are fewer; slots index entries().
+  std::vector<Neighbour> nearest(const Pose2& end, std::size_t count) const {
+    return index_.nearest(end, count);
   }
 
  private:

@@ -55,13 +55,12 @@ std::vector<double> distancesToNearest(const std::vector<Pose2>& positions,
   if (endings.empty()) return {};
   PointIndex index;
   for (std::size_t slot = 0; slot < endings.size(); ++slot) {
-    const Pose2& pose = endings[slot].pose;
-    index.insert({pose.x_m, pose.y_m, static_cast<std::int64_t>(slot), slot});
+    index.insert({endings[slot].pose, static_cast<std::int64_t>(slot), slot});
   }
   std::vector<double> distances;
   distances.reserve(positions.size());
   for (const Pose2& position : positions) {
-    const auto nearest = index.nearest(position.x_m, position.y_m, 1);
+    const auto nearest = index.nearest(position, 1);
     distances.push_back(std::sqrt(nearest.front().squared_distance_m2));
   }
   return distances;

@@ -7,10 +7,11 @@
 
 namespace hexapod {
 
-PointIndex::PointIndex() : cells_(static_cast<std::size_t>(kCells) * kCells) {}
+PointIndex::PointIndex(const PoseMetric& metric)
+    : metric_(metric), cells_(static_cast<std::size_t>(kCells) * kCells) {}
 
 void PointIndex::insert(const IndexedPoint& point) {
-  assert(std::isfinite(point.x_m) && std::isfinite(point.y_m));
+  assert(isFinite(point.pose));
   cellOf(point).push_back(point);
   ++size_;
 }
@@ -26,11 +27,11 @@ void PointIndex::erase(const IndexedPoint& point) {
   --size_;
 }
 
-std::vector<Neighbour> PointIndex::nearest(double x_m, double y_m, std::size_t count) const {
-  Query query{x_m, y_m, std::min(count, size_), {}};
+std::vector<Neighbour> PointIndex::nearest(const Pose2& pose, std::size_t count) const {
+  Query query{pose, std::min(count, size_), {}};
   query.best.reserve(query.count);
-  const int column = cellAlong(x_m);
-  const int row = cellAlong(y_m);
+  const int column = cellAlong(pose.x_m);
+  const int row = cellAlong(pose.y_m);
   for (int ring = 0; ring < kCells; ++ring) {
     // Clamping into the square shortens no distance to less than this: cells of the ring are at
     // least ring - 1 cells away. Equal distances are still looked at: the id decides.
@@ -54,15 +55,14 @@ const std::vector<IndexedPoint>& PointIndex::cell(int column, int row) const {
 }
 
 std::vector<IndexedPoint>& PointIndex::cellOf(const IndexedPoint& point) {
-  const auto row = static_cast<std::size_t>(cellAlong(point.y_m));
-  return cells_[row * kCells + static_cast<std::size_t>(cellAlong(point.x_m))];
+  const auto row = static_cast<std::size_t>(cellAlong(point.pose.y_m));
+  return cells_[row * kCells + static_cast<std::size_t>(cellAlong(point.pose.x_m))];
 }
 
 void PointIndex::scanCell(int column, int row, Query& query) const {
   for (const IndexedPoint& point : cell(column, row)) {
-    const double dx = point.x_m - query.x_m;
-    const double dy = point.y_m - query.y_m;
-    const Neighbour candidate{dx * dx + dy * dy, point.id, point.slot};
+    const Neighbour candidate{metric_.squaredDistance_m2(point.pose, query.pose), point.id,
+                              point.slot};
     if (query.best.size() == query.count) {
       if (!(candidate < query.best.back())) continue;
       query.best.pop_back();

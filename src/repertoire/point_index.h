@@ -4,12 +4,13 @@
 #include <cstdint>
 #include <vector>
 
+#include "geometry/pose_metric.h"
+
 namespace hexapod {
 
-/// A point of the plane that can be looked up by position.
+/// A pose in the plane that can be looked up by where it is.
 struct IndexedPoint {
-  double x_m = 0.0;
-  double y_m = 0.0;
+  Pose2 pose;
   std::int64_t id = 0;   ///< breaks ties between equal distances: the lower one is nearer
   std::size_t slot = 0;  ///< whatever the owner wants to find again
 };
@@ -28,23 +29,26 @@ struct Neighbour {
   }
 };
 
-/// Exact nearest neighbours in the plane: a uniform grid of kCellSize over the square of
+/// Exact nearest neighbours by a metric: a uniform grid of kCellSize over the square of
 /// +-kHalfWidth around the origin. Points beyond the square are kept in its border cells: still
-/// exact, only slower.
+/// exact, only slower. So it is where headings count, which bring no point nearer than its position
+/// is.
 ///
 /// Answers depend on the set of points alone, never on the order in which they came.
-/// Positions must be finite. Const functions may be called from any thread.
+/// Poses must be finite. Const functions may be called from any thread.
 class PointIndex {
  public:
-  PointIndex();
+  explicit PointIndex(const PoseMetric& metric = {});
+
+  const PoseMetric& metric() const { return metric_; }
 
   void insert(const IndexedPoint& point);
-  /// Removes the point with this id at this position; the point must be there.
+  /// Removes the point with this id at this pose; the point must be there.
   void erase(const IndexedPoint& point);
   std::size_t size() const { return size_; }
 
   /// The `count` nearest points, or all when there are fewer, by distance and then by id.
-  std::vector<Neighbour> nearest(double x_m, double y_m, std::size_t count) const;
+  std::vector<Neighbour> nearest(const Pose2& pose, std::size_t count) const;
 
  private:
   static constexpr double kHalfWidth = 1.5;        // [m] more than the robot walks in one behaviour
@@ -52,7 +56,7 @@ class PointIndex {
   static constexpr int kCells = 96;                // along each axis: 2 * kHalfWidth / kCellSize
 
   struct Query {
-    double x_m, y_m;
+    Pose2 pose;
     std::size_t count;
     std::vector<Neighbour> best;  // sorted, at most `count`
   };
@@ -63,6 +67,7 @@ class PointIndex {
   void scanCell(int column, int row, Query& query) const;
   void scanRing(int column, int row, int ring, Query& query) const;
 
+  PoseMetric metric_;
   std::vector<std::vector<IndexedPoint>> cells_;
   std::size_t size_ = 0;
 };

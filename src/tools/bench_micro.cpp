@@ -92,7 +92,7 @@ void nearestEntries(benchmark::State& state) {
   Random random(1);
   for (auto _ : state) {
     const double x_m = random.uniform(-0.6, 0.6);
-    benchmark::DoNotOptimize(archive.nearest(x_m, random.uniform(-0.6, 0.6), 15));
+    benchmark::DoNotOptimize(archive.nearest({x_m, random.uniform(-0.6, 0.6), 0.0}, 15));
   }
 }
 BENCHMARK(nearestEntries)->Arg(500)->Arg(5000)->Arg(50000);

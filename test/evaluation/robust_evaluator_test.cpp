@@ -6,8 +6,10 @@
 #include <cmath>
 #include <memory>
 #include <set>
+#include <stdexcept>
 
 #include "evaluation/behavior_evaluator.h"
+#include "evaluation/validation.h"
 #include "simulation/physics.h"
 #include "simulation/rollout.h"
 #include "simulation/test_robots.h"
@@ -119,6 +121,39 @@ TEST(RobustEvaluator, GivesTheMeanAndAddsTheSpreadToTheMeanError) {
   EXPECT_NEAR(found.end_pose.x_m, mean.x_m, 1e-5);
   EXPECT_NEAR(found.end_pose.y_m, mean.y_m, 1e-5);
   EXPECT_NEAR(found.cost, error_rad + 3.0 * std::sqrt(squares_m2), 2e-5);
+}
+
+TEST(RobustEvaluator, CostsTheSpreadAloneWhereTheQualityIsSteadiness) {
+  const auto worlds = pool();
+  RobustnessOptions options;
+  options.perturbed_physics = 2;
+  options.spread_weight_rad_per_m = 3.0;
+  options.first_look_handicap_rad = 0.1;
+  options.quality = "steadiness";
+  const Genome genome = tripod(worlds->robot());
+  const Outcome found = looks(worlds, {genome}, options)[0];
+  auto all = perturbedPhysics(options, Physics(), kPeriod_s, 1);
+  all.push_back(Physics());
+  std::vector<Outcome> outcomes;
+  for (const Physics& physics : all) {
+    const auto world = makeWorld(Engine::kReduced, worlds->robot(), physics);
+    outcomes.push_back(play(*world, Behavior(worlds->robot(), genome, shortBehavior()), kPeriod_s));
+  }
+  const Execution execution = summarize(outcomes);
+  EXPECT_GT(execution.spread_rad, 0.0);
+  EXPECT_NEAR(found.cost, execution.spread_rad + 3.0 * execution.spread_m, 1e-5);
+  BehaviorEvaluator nominal(worlds, shortBehavior());
+  RobustEvaluator robust(nominal, worlds, shortBehavior(), options, 1);
+  EXPECT_EQ(robust.evaluate({genome})[0].cost, 0.1);
+}
+
+TEST(RobustEvaluator, RefusesSteadinessWithoutRunsToSeeItBy) {
+  const auto worlds = pool();
+  RobustnessOptions options;
+  options.quality = "steadiness";
+  BehaviorEvaluator nominal(worlds, shortBehavior());
+  EXPECT_THROW(RobustEvaluator(nominal, worlds, shortBehavior(), options, 1),
+               std::invalid_argument);
 }
 
 TEST(RobustEvaluator, GivesTheSameOnAnyNumberOfThreadsAndInAnyBatch) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <set>
 #include <stdexcept>
@@ -119,6 +120,45 @@ TEST_P(EveryAlgorithm, RefusesTheStateOfOtherGenomes) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, EveryAlgorithm, testing::ValuesIn(algorithmNames()));
+
+/// Most entries that end within 5 cm of one and are turned by more than 0.5 rad against it.
+std::size_t mostHeadingsInOnePlace(const std::vector<Entry>& entries) {
+  std::size_t most = 0;
+  for (const Entry& one : entries) {
+    most = std::max<std::size_t>(
+        most, std::count_if(entries.begin(), entries.end(), [&](const Entry& other) {
+          return distance(one.end_pose, other.end_pose) < 0.05 &&
+                 headingDistance(one.end_pose, other.end_pose) > 0.5;
+        }));
+  }
+  return most;
+}
+
+class AlgorithmOfPoses : public testing::TestWithParam<std::string> {};
+
+TEST_P(AlgorithmOfPoses, KeepsSeveralHeadingsInOnePlace) {
+  std::map<double, std::size_t> headings, entries;
+  for (const double heading_m_per_rad : {0.0, 0.2}) {
+    AnalyticEvaluator evaluator(7, kGenes);
+    AlgorithmChoice choice{GetParam(), {}, {}};
+    choice.evolution.heading_m_per_rad = heading_m_per_rad;
+    const auto algorithm = makeAlgorithm(choice, kGenes, Random(1));
+    for (int generation = 0; generation < 20; ++generation) advance(*algorithm, evaluator);
+    headings[heading_m_per_rad] = mostHeadingsInOnePlace(algorithm->entries());
+    entries[heading_m_per_rad] = algorithm->entries().size();
+  }
+  EXPECT_GT(headings[0.2], 2 * headings[0.0]);
+  EXPECT_GT(entries[0.2], entries[0.0]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Algorithms, AlgorithmOfPoses,
+                         testing::Values("br_evolution", "map_elites"));
+
+TEST(Algorithms, VoronoiCellsOfThePlaneTakeNoHeadings) {
+  AlgorithmChoice choice{"cvt_map_elites", {}, {}};
+  choice.evolution.heading_m_per_rad = 0.2;
+  EXPECT_THROW(makeAlgorithm(choice, 24, Random(1)), std::invalid_argument);
+}
 
 TEST(Algorithms, AnUnknownNameIsToldWithTheKnownOnes) {
   try {

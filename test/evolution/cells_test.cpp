@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <set>
 #include <stdexcept>
 
 namespace hexapod {
@@ -13,6 +14,18 @@ TEST(GridCells, AreSquaresAroundTheOrigin) {
   const Cells cells = gridCells(0.1);
   EXPECT_EQ(cells({0.049, -0.049, 1.0}), (Cell{0, 0}));
   EXPECT_EQ(cells({0.051, -0.151, 0.0}), (Cell{1, -2}));
+}
+
+TEST(GridCells, CutATurnIntoEqualPartsWhereHeadingsCount) {
+  const Cells cells = gridCells(0.1, {0.2});  // 2 pi 0.2 m / 0.1 m: 13 parts of 27.7 degrees
+  EXPECT_EQ(cells({0.051, 0.0, 0.2}), (Cell{1, 0, 0}));
+  EXPECT_EQ(cells({0.0, 0.0, 0.3}), (Cell{0, 0, 1}));
+  EXPECT_EQ(cells({0.0, 0.0, -0.3}), (Cell{0, 0, 12}));
+  std::set<Cell> all;
+  for (double yaw_rad = -3.14; yaw_rad < 3.14; yaw_rad += 0.01)
+    all.insert(cells({0.0, 0.0, yaw_rad}));
+  EXPECT_EQ(all.size(), 13u);
+  EXPECT_EQ(gridCells(10.0, {0.2})({0.0, 0.0, -3.0}), (Cell{0, 0, 0}));
 }
 
 /// How many points of a fine grid in the disk of radius_m belong to each cell.
@@ -31,8 +44,8 @@ TEST(VoronoiCells, AllHaveTheirShareOfTheDisk) {
   const std::map<Cell, int> shares = sharesOf(voronoiCells(100, 0.5), 0.5);
   EXPECT_EQ(shares.size(), 100u);
   for (const auto& [cell, points] : shares) {
-    EXPECT_GT(points, 314 / 3) << cell.first;
-    EXPECT_LT(points, 314 * 3) << cell.first;
+    EXPECT_GT(points, 314 / 3) << cell[0];
+    EXPECT_LT(points, 314 * 3) << cell[0];
   }
 }
 

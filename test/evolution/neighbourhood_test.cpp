@@ -20,7 +20,8 @@ Genome randomGenome(Random& random) {
 
 /// eq. 1 and 2 over the set of controllers, without any index.
 Objectives byDefinition(const Individual& self, const std::vector<Entry>& archive,
-                        const std::vector<Individual>& pool, std::size_t neighbours) {
+                        const std::vector<Individual>& pool, std::size_t neighbours,
+                        double heading_m_per_rad = 0.0) {
   std::map<Genome, Entry> controllers;
   for (const Individual& individual : pool) {
     if (individual.outcome.walked()) {
@@ -34,7 +35,9 @@ Objectives byDefinition(const Individual& self, const std::vector<Entry>& archiv
   for (const auto& [genome, entry] : controllers) {
     const double dx = entry.end_pose.x_m - self.outcome.end_pose.x_m;
     const double dy = entry.end_pose.y_m - self.outcome.end_pose.y_m;
-    others.emplace_back(dx * dx + dy * dy, entry.id, entry.cost);
+    const double turn_m =
+        heading_m_per_rad * wrapAngle(entry.end_pose.yaw_rad - self.outcome.end_pose.yaw_rad);
+    others.emplace_back(dx * dx + dy * dy + turn_m * turn_m, entry.id, entry.cost);
   }
   std::sort(others.begin(), others.end());
   others.resize(std::min(others.size(), neighbours));
@@ -71,23 +74,26 @@ class NeighbourhoodOf : public ::testing::Test {
 };
 
 TEST_F(NeighbourhoodOf, APoolWithDuplicatesAndArchiveCopiesIsThatOfTheSet) {
-  std::vector<Individual> pool = randomPool(120);
-  Archive archive;
-  for (const Individual& individual : randomPool(300)) {
-    if (individual.outcome.walked()) archive.offer(entryOf(individual), 1.0, 0.1);
-  }
-  for (std::size_t i = 0; i < 20; ++i) {
-    if (pool[i].outcome.walked()) archive.offer(entryOf(pool[i]), 1.0, 0.1);
-    pool.push_back(born(pool[i + 30].genome));
-  }
-  for (const std::size_t neighbours : {1U, 15U, 10000U}) {
-    const Neighbourhood neighbourhood(archive, pool, neighbours);
-    for (const Individual& individual : pool) {
-      if (!individual.outcome.walked()) continue;
-      const auto expected = byDefinition(individual, archive.entries(), pool, neighbours);
-      const auto found = neighbourhood.objectives(individual);
-      ASSERT_DOUBLE_EQ(found[0], expected[0]);
-      ASSERT_EQ(found[1], expected[1]);
+  for (const double heading_m_per_rad : {0.0, 0.2}) {
+    std::vector<Individual> pool = randomPool(120);
+    Archive archive(PoseMetric{heading_m_per_rad});
+    for (const Individual& individual : randomPool(300)) {
+      if (individual.outcome.walked()) archive.offer(entryOf(individual), 1.0, 0.1);
+    }
+    for (std::size_t i = 0; i < 20; ++i) {
+      if (pool[i].outcome.walked()) archive.offer(entryOf(pool[i]), 1.0, 0.1);
+      pool.push_back(born(pool[i + 30].genome));
+    }
+    for (const std::size_t neighbours : {1U, 15U, 10000U}) {
+      const Neighbourhood neighbourhood(archive, pool, neighbours);
+      for (const Individual& individual : pool) {
+        if (!individual.outcome.walked()) continue;
+        const auto expected =
+            byDefinition(individual, archive.entries(), pool, neighbours, heading_m_per_rad);
+        const auto found = neighbourhood.objectives(individual);
+        ASSERT_NEAR(found[0], expected[0], 1e-12);
+        ASSERT_EQ(found[1], expected[1]);
+      }
     }
   }
 }
@@ -102,7 +108,7 @@ TEST_F(NeighbourhoodOf, AGenerationFollowsWhatMovesBetweenPoolAndArchive) {
     const OfferResult result = archive.offer(entryOf(individual), random_.uniform(0.0, 0.2), 0.1);
     if (result.status == AddStatus::kRejected) continue;
     ++moves;
-    neighbourhood.moveToArchive(individual);
+    neighbourhood.moveToArchive(individual, result.displaced);
     if (result.displaced) {
       const Entry& left = *result.displaced;
       individual = {left.id,
@@ -119,6 +125,30 @@ TEST_F(NeighbourhoodOf, AGenerationFollowsWhatMovesBetweenPoolAndArchive) {
     ASSERT_EQ(neighbourhood.objectives(individual)[1], expected[1]);
   }
   EXPECT_GT(moves, 20);
+}
+
+TEST_F(NeighbourhoodOf, ARefreshedViewIsTheOneOfNow) {
+  const std::vector<Individual> pool = randomPool(100);
+  Archive archive;
+  Neighbourhood neighbourhood(archive, pool, 15);
+  std::vector<Neighbourhood::View> views;
+  for (const Individual& individual : pool) views.push_back(neighbourhood.view(individual));
+  int changed = 0, offers = 0;
+  for (const Individual& outsider : randomPool(60)) {
+    if (!outsider.outcome.walked()) continue;
+    const OfferResult result = archive.offer(entryOf(outsider), random_.uniform(0.0, 0.2), 0.1);
+    if (result.status == AddStatus::kRejected) continue;
+    ++offers;
+    neighbourhood.moveToArchive(outsider, result.displaced);
+    for (std::size_t i = 0; i < pool.size(); ++i) {
+      const Objectives before = views[i].objectives;
+      neighbourhood.refresh(pool[i], views[i]);
+      ASSERT_EQ(views[i].objectives, neighbourhood.objectives(pool[i]));
+      changed += views[i].objectives != before;
+    }
+  }
+  EXPECT_GT(changed, offers);
+  EXPECT_LT(changed, 50 * offers);  // most see nothing of it
 }
 
 TEST_F(NeighbourhoodOf, ThreeOnALineCountsByHand) {

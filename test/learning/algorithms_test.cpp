@@ -1,6 +1,9 @@
 // Every algorithm as a learner, with all that the default preset has: twins, three looks.
 #include "evolution/algorithms.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "learning_fixture.h"
 
 namespace hexapod {
@@ -47,6 +50,62 @@ TEST_P(EveryLearner, EndsAsIfItHadNotBeenKilledAfterEveryGeneration) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Algorithms, EveryLearner, testing::ValuesIn(algorithmNames()));
+
+/// Runs in which ends of one place and another heading are new, and the steadier ones win.
+class PoseLearner : public LearningFixture {
+ protected:
+  LearnOptions run(const std::string& name) const {
+    LearnOptions options = smallRun(name);
+    options.evaluations = 300;
+    options.checkpoint_period_s = 100.0;
+    options.evolution.heading_m_per_rad = 0.2;
+    options.evolution.offer_twins = true;
+    options.robustness.perturbed_physics = 1;
+    options.robustness.start_states = 1;
+    options.robustness.screening_runs = 1;
+    options.robustness.quality = "steadiness";
+    return options;
+  }
+};
+
+TEST_F(PoseLearner, LearnsSideStepsAndTurnsOnTheSpot) {
+  const Repertoire repertoire = undisturbed(run(""));
+  const auto count = [&](auto is) {
+    return std::count_if(repertoire.entries.begin(), repertoire.entries.end(), is);
+  };
+  EXPECT_GT(count([](const Entry& entry) {
+              return std::hypot(entry.end_pose.x_m, entry.end_pose.y_m) < 0.05 &&
+                     std::abs(entry.end_pose.yaw_rad) > 0.3;
+            }),
+            0);
+  EXPECT_GT(count([](const Entry& entry) {
+              return std::abs(entry.end_pose.y_m) > 0.05 &&
+                     std::abs(entry.end_pose.y_m) > 2.0 * std::abs(entry.end_pose.x_m) &&
+                     std::abs(entry.end_pose.yaw_rad) < 0.2;
+            }),
+            0);
+  EXPECT_EQ(repertoire.options.at("quality"), "steadiness");
+}
+
+TEST_F(PoseLearner, EndsAsIfItHadNotBeenKilledOnAnyNumberOfThreads) {
+  LearnOptions options = run("a.db");
+  options.evaluations = 55;
+  options.checkpoint_period_s = 0.0;
+  options.threads = 1;
+  const Repertoire whole = undisturbed(options);
+  options.threads = 3;
+  expectSameRun(killedAgainAndAgain(options), whole);
+}
+
+TEST_F(PoseLearner, IsAnotherRunThanOneOfPositions) {
+  LearnOptions options = run("a.db");
+  options.evaluations = 55;
+  ASSERT_TRUE(learn(options));
+  options.resume = true;
+  options.evolution.heading_m_per_rad = 0.0;
+  const std::string sentence = complaintOf([&] { learn(options); });
+  EXPECT_TRUE(mentions(sentence, "heading_m_per_rad: 0.2 in the file, 0 now")) << sentence;
+}
 
 TEST_F(LearningFixture, AnotherAlgorithmIsAnotherRun) {
   LearnOptions options = smallRun("a.db");
