@@ -24,6 +24,9 @@ std::optional<double> doubleFromText(const std::string& text);
 std::optional<std::int64_t> integerFromText(const std::string& text);
 std::optional<std::uint64_t> unsignedFromText(const std::string& text);
 
+/// A row of a Markdown table: "| a | b |" and the end of the line.
+std::string tableRow(const std::vector<std::string>& cells);
+
 /// "a, b, c".
 std::string listed(const std::vector<std::string>& words);
 

@@ -1,8 +1,9 @@
 #include "evolution/evolution_state.h"
 
 #include <array>
-#include <sstream>
+#include <map>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "common/text.h"
@@ -10,11 +11,8 @@
 namespace hexapod {
 namespace {
 
-constexpr std::array<Verdict, 4> kVerdicts = {Verdict::kWalked, Verdict::kFell,
-                                              Verdict::kSelfCollided, Verdict::kDiverged};
-
 using Counter = std::pair<const char*, std::int64_t EvolutionCounters::*>;
-constexpr std::array<Counter, 8> kCounters = {{
+constexpr std::array<Counter, 9> kCounters = {{
     {"generations", &EvolutionCounters::generations},
     {"evaluations", &EvolutionCounters::evaluations},
     {"fell", &EvolutionCounters::fell},
@@ -23,9 +21,8 @@ constexpr std::array<Counter, 8> kCounters = {{
     {"added", &EvolutionCounters::added},
     {"swapped", &EvolutionCounters::swapped},
     {"looked_twice", &EvolutionCounters::looked_twice},
+    {"failed_later", &EvolutionCounters::failed_later},
 }};
-// States from before it was counted have none.
-constexpr Counter kFailedLater = {"failed_later", &EvolutionCounters::failed_later};
 
 [[noreturn]] void fail(const std::string& name, const std::string& expected,
                        const std::string& found) {
@@ -33,65 +30,24 @@ constexpr Counter kFailedLater = {"failed_later", &EvolutionCounters::failed_lat
                               expected + ", found '" + found + "'.");
 }
 
-std::string lineOf(const Individual& individual) {
-  const Outcome& outcome = individual.outcome;
-  std::string line = std::to_string(individual.id) + " " + std::to_string(individual.evaluation) +
-                     " " + toString(individual.genotype) + " " + toString(outcome.verdict);
-  for (const double number : {outcome.end_pose.x_m, outcome.end_pose.y_m, outcome.end_pose.yaw_rad,
-                              outcome.cost, individual.standing.diversity}) {
-    line += " " + exactText(number);
-  }
-  return line + " " + std::to_string(individual.standing.rank) + " " +
-         std::to_string(individual.looks) + "\n";
+KeptIndividual kept(const Individual& individual) {
+  return {individual.id,
+          individual.evaluation,
+          individual.genotype,
+          individual.outcome,
+          static_cast<std::int64_t>(individual.standing.rank),
+          individual.standing.diversity,
+          individual.looks};
 }
 
-/// The words of one individual's line, converted one after another.
-class Words {
- public:
-  explicit Words(const std::string& line) : line_(line), words_(line) {}
-
-  std::string text() {
-    std::string word;
-    if (!(words_ >> word)) fail("population", "eleven words a line", line_);
-    return word;
-  }
-  std::int64_t integer() {
-    const auto number = integerFromText(text());
-    if (!number || *number < 0) fail("population", "a count", line_);
-    return *number;
-  }
-  double real() {
-    const auto number = doubleFromText(text());
-    if (!number) fail("population", "a number", line_);
-    return *number;
-  }
-  Verdict verdict() {
-    const std::string word = text();
-    for (const Verdict verdict : kVerdicts) {
-      if (word == toString(verdict)) return verdict;
-    }
-    fail("population", "a verdict", line_);
-  }
-
- private:
-  std::string line_;
-  std::istringstream words_;
-};
-
-Individual individualFrom(const std::string& line) {
-  Words words(line);
+Individual individualFrom(const KeptIndividual& kept) {
   Individual individual;
-  individual.id = words.integer();
-  individual.evaluation = words.integer();
-  individual.genotype = genomeFromString(words.text());
-  individual.outcome.verdict = words.verdict();
-  individual.outcome.end_pose.x_m = words.real();
-  individual.outcome.end_pose.y_m = words.real();
-  individual.outcome.end_pose.yaw_rad = words.real();
-  individual.outcome.cost = words.real();
-  individual.standing.diversity = words.real();
-  individual.standing.rank = static_cast<std::size_t>(words.integer());
-  individual.looks = static_cast<int>(words.integer());
+  individual.id = kept.id;
+  individual.evaluation = kept.evaluation;
+  individual.genotype = kept.genotype;
+  individual.outcome = kept.outcome;
+  individual.standing = {static_cast<std::size_t>(kept.rank), kept.diversity};
+  individual.looks = static_cast<int>(kept.looks);
   return individual;
 }
 
@@ -111,30 +67,30 @@ std::int64_t countOf(const std::map<std::string, std::string>& texts, const std:
 
 }  // namespace
 
-std::map<std::string, std::string> toTexts(const EvolutionState& state) {
-  std::map<std::string, std::string> texts{{"random", state.random.state()},
-                                           {"next_id", std::to_string(state.next_id)}};
-  for (const auto& [name, member] : kCounters) texts[name] = std::to_string(state.counters.*member);
-  texts[kFailedLater.first] = std::to_string(state.counters.*kFailedLater.second);
-  std::string& population = texts["population"];
-  for (const Individual& individual : state.population) population += lineOf(individual);
-  return texts;
+LearnerState toLearnerState(const EvolutionState& state) {
+  LearnerState learner;
+  learner.values = {{"random", state.random.state()}, {"next_id", std::to_string(state.next_id)}};
+  for (const auto& [name, member] : kCounters) {
+    learner.values[name] = std::to_string(state.counters.*member);
+  }
+  for (const Individual& individual : state.population) {
+    learner.population.push_back(kept(individual));
+  }
+  learner.archive = state.archive;
+  return learner;
 }
 
-EvolutionState stateFromTexts(const std::map<std::string, std::string>& texts,
-                              const std::vector<Entry>& archive) {
+EvolutionState evolutionStateFrom(const LearnerState& kept) {
   EvolutionState state;
-  state.random = Random::fromState(textOf(texts, "random"));
-  state.next_id = countOf(texts, "next_id");
-  for (const auto& [name, member] : kCounters) state.counters.*member = countOf(texts, name);
-  if (texts.count(kFailedLater.first) > 0) {
-    state.counters.*kFailedLater.second = countOf(texts, kFailedLater.first);
+  state.random = Random::fromState(textOf(kept.values, "random"));
+  state.next_id = countOf(kept.values, "next_id");
+  for (const auto& [name, member] : kCounters) {
+    state.counters.*member = countOf(kept.values, name);
   }
-  std::istringstream lines(textOf(texts, "population"));
-  for (std::string line; std::getline(lines, line);) {
-    state.population.push_back(individualFrom(line));
+  for (const KeptIndividual& individual : kept.population) {
+    state.population.push_back(individualFrom(individual));
   }
-  state.archive = archive;
+  state.archive = kept.archive;
   return state;
 }
 

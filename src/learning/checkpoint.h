@@ -19,11 +19,11 @@ struct Checkpoint {
   std::set<std::int64_t> dropped;  ///< ids of the archive's entries that the repertoire leaves out
 };
 
-/// The checkpoint as texts by name; all but the archive's entries that are in the repertoire.
+/// The checkpoint as a repertoire file keeps it.
 LearnerState toLearnerState(const Checkpoint& checkpoint);
 
 /// Puts the checkpoint together again from a file's content. Throws std::invalid_argument with a
-/// sentence naming the text that is missing or wrong, what was expected and what was found.
+/// sentence naming the value that is missing or wrong, what was expected and what was found.
 Checkpoint checkpointFrom(const StoredRepertoire& stored);
 
 }  // namespace hexapod

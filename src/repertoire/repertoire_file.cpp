@@ -5,37 +5,17 @@
 #include <stdexcept>
 
 #include "common/text.h"
+#include "repertoire/learner_tables.h"
 #include "repertoire/repertoire_rows.h"
 #include "repertoire/sound_database.h"
 #include "repertoire/sqlite.h"
+#include "repertoire/typed_rows.h"
 
 namespace hexapod {
 namespace {
 
 namespace fs = std::filesystem;
 using Meta = std::map<std::string, std::string>;
-
-void requireCount(SqliteDatabase& database, const std::string& table) {
-  const std::int64_t rows = database.integer("SELECT count(*) FROM " + table);
-  if (rows > kMaxEntries) {
-    fail("at most " + std::to_string(kMaxEntries) + " rows in the table " + table,
-         std::to_string(rows));
-  }
-}
-
-/// The rows of a table (key, value), in which values are texts or blobs.
-Meta readPairs(SqliteDatabase& database, const std::string& table) {
-  requireCount(database, table);
-  Meta pairs;
-  SqliteStatement rows(database, "SELECT key, value FROM " + table);
-  while (rows.step()) {
-    if (!rows.isText(0) || !(rows.isText(1) || rows.isBlob(1))) {
-      fail("texts in the table " + table, "another type");
-    }
-    pairs[rows.bytes(0)] = rows.bytes(1);
-  }
-  return pairs;
-}
 
 std::string metaText(const Meta& meta, const std::string& key) {
   const auto found = meta.find(key);
@@ -71,19 +51,6 @@ std::vector<std::string> splitAtCommas(const std::string& text) {
   return parts;
 }
 
-double realAt(const SqliteStatement& row, int column, const std::string& name) {
-  if (!row.isReal(column))
-    fail("a number in column " + std::to_string(column) + " of " + name, "another type");
-  return row.real(column);
-}
-
-std::int64_t integerAt(const SqliteStatement& row, int column, const std::string& name) {
-  if (!row.isInteger(column)) {
-    fail("an integer in column " + std::to_string(column) + " of " + name, "another type");
-  }
-  return row.integer(column);
-}
-
 std::optional<Execution> executionAt(const SqliteStatement& row, const std::string& name) {
   const std::int64_t trials = integerAt(row, 12, name);
   const std::int64_t falls = integerAt(row, 13, name);
@@ -91,23 +58,16 @@ std::optional<Execution> executionAt(const SqliteStatement& row, const std::stri
   if (trials > kMaxEntries || falls > kMaxEntries || trials < 0 || falls < 0) {
     fail("a sensible number of trials of " + name, std::to_string(trials));
   }
-  return Execution{{realAt(row, 7, name), realAt(row, 8, name), realAt(row, 9, name)},
-                   realAt(row, 10, name),
-                   realAt(row, 11, name),
-                   static_cast<int>(trials),
-                   static_cast<int>(falls)};
+  return Execution{poseAt(row, 7, name), realAt(row, 10, name), realAt(row, 11, name),
+                   static_cast<int>(trials), static_cast<int>(falls)};
 }
 
 Entry entryAt(const SqliteStatement& row, const GenomeShape& shape) {
   Entry entry;
   entry.id = integerAt(row, 0, "an entry");
   const std::string name = "entry " + std::to_string(entry.id);
-  try {
-    entry.genome = genomeFromString(row.bytes(1));
-  } catch (const std::invalid_argument& error) {
-    fail("a genome in " + name, "'" + row.bytes(1).substr(0, 100) + "' (" + error.what() + ")");
-  }
-  entry.end_pose = {realAt(row, 2, name), realAt(row, 3, name), realAt(row, 4, name)};
+  entry.genome = genomeAt(row, 1, name);
+  entry.end_pose = poseAt(row, 2, name);
   entry.cost = realAt(row, 5, name);
   entry.evaluation = integerAt(row, 6, name);
   entry.execution = executionAt(row, name);
@@ -177,7 +137,7 @@ StoredRepertoire read(SqliteDatabase& database, const std::string& path) {
     fail("genomes of up to " + std::to_string(kMaxGenes) + " genes", std::to_string(genes));
   }
   StoredRepertoire stored;
-  stored.learner_state = readPairs(database, "state");
+  stored.learner_state = readLearnerState(database);
   Repertoire& repertoire = stored.repertoire;
   repertoire.history = readHistory(database);
   repertoire.options = withPrefix(meta, kOptionPrefix);

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <map>
 #include <string>
 
+#include "repertoire/learner_state.h"
 #include "repertoire/repertoire.h"
 
 namespace hexapod {
@@ -20,16 +20,17 @@ namespace hexapod {
 ///            over the rest
 ///   history  a row about every 1000 evaluations; the held_out_ columns are NULL but now and then
 ///            and at the end
-///   state    key and value: what the learner needs to go on, opaque here
+///   state, population, archive
+///            what the learner needs to go on: values by key, a row for each individual that it
+///            breeds from and for each entry of its archive, in its order; dropped: not in entries
 /// A checkpoint is one transaction, so a killed process leaves the previous one.
 constexpr int kApplicationId = 0x48585250;  // "HXRP"
-constexpr int kFormatVersion = 2;
+constexpr int kFormatVersion = 3;
 /// Version 1 has no cost: its orientation_error_rad is what version 2 calls so. Such files are
-/// read, not written.
+/// read, not written. Version 2 has no tables population and archive, and no run of its can be gone
+/// on with; such a file is of this version once it is written.
 constexpr int kOldestFormatVersion = 1;
-
-/// What a learner keeps beside the repertoire in order to go on: texts by name.
-using LearnerState = std::map<std::string, std::string>;
+constexpr int kOldestWrittenVersion = 2;
 
 struct StoredRepertoire {
   Repertoire repertoire;

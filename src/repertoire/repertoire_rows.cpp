@@ -5,6 +5,7 @@
 
 #include "common/text.h"
 #include "repertoire/digest.h"
+#include "repertoire/learner_tables.h"
 
 namespace hexapod {
 namespace {
@@ -78,10 +79,7 @@ std::string digestOf(const std::map<std::string, std::string>& meta,
       digest.add(value);
     }
   }
-  for (const auto& [key, value] : state) {
-    digest.add(key);
-    digest.add(value);
-  }
+  add(state, digest);
   return digest.text();
 }
 

@@ -31,7 +31,7 @@ constexpr const char* kFileDigestKey = "file_digest";
 constexpr const char* kOptionPrefix = "option.";
 constexpr const char* kFactPrefix = "fact.";
 
-/// Digest over all rows of meta but kFileDigestKey, of history and of state.
+/// Digest over all rows of meta but kFileDigestKey, of history and of the learner's state.
 std::string digestOf(const std::map<std::string, std::string>& meta,
                      const std::vector<HistoryRow>& history, const LearnerState& state);
 

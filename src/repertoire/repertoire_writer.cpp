@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "common/text.h"
+#include "repertoire/learner_tables.h"
 #include "repertoire/repertoire_rows.h"
 
 namespace hexapod {
@@ -27,8 +28,7 @@ constexpr const char* kTables =
     "median_orientation_error_rad REAL NOT NULL, max_reach_m REAL NOT NULL, "
     "elapsed_s REAL NOT NULL, held_out_sparseness_m REAL, "
     "held_out_median_orientation_error_rad REAL, held_out_median_shift_m REAL);"
-    "CREATE TABLE IF NOT EXISTS state(key TEXT PRIMARY KEY, value BLOB NOT NULL);"
-    "DELETE FROM entries; DELETE FROM meta; DELETE FROM history; DELETE FROM state;";
+    "DELETE FROM entries; DELETE FROM meta; DELETE FROM history;";
 
 std::size_t geneCount(const Repertoire& repertoire) {
   return repertoire.entries.empty() ? 0 : repertoire.entries.front().genome.size();
@@ -142,15 +142,6 @@ void insertMeta(const std::map<std::string, std::string>& meta, SqliteDatabase& 
   }
 }
 
-void insertState(const LearnerState& learner_state, SqliteDatabase& database) {
-  SqliteStatement insert(database, "INSERT INTO state(key, value) VALUES (?,?)");
-  for (const auto& [key, value] : learner_state) {
-    insert.bind(1, key);
-    insert.bindBlob(2, value);
-    insert.run();
-  }
-}
-
 /// Throws unless the path can become, or is, a file of ours; creates the folders it lies in.
 void preparePlace(const fs::path& path) {
   if (path.filename().empty()) {
@@ -185,7 +176,7 @@ bool isRepertoire(SqliteDatabase& database, const std::string& file) {
                              " is another program's SQLite database and is not overwritten: move "
                              "it away or choose another repertoire file.");
   }
-  if (version != kFormatVersion) {
+  if (version < kOldestWrittenVersion || version > kFormatVersion) {
     throw std::runtime_error("The repertoire file " + file + " has format version " +
                              std::to_string(version) + ", this program writes version " +
                              std::to_string(kFormatVersion) +
@@ -255,11 +246,12 @@ void RepertoireWriter::write(const Repertoire& repertoire, const LearnerState& l
   database_->execute("PRAGMA application_id = " + std::to_string(kApplicationId));
   database_->execute("PRAGMA user_version = " + std::to_string(kFormatVersion));
   database_->execute(kTables);
+  database_->execute(kLearnerTables);
   insertEntries(repertoire.entries, *database_);
   const std::map<std::string, std::string> meta = metaOf(repertoire, learner_state);
   insertMeta(meta, *database_);
   insertHistory(repertoire.history, *database_);
-  insertState(learner_state, *database_);
+  insertLearnerState(learner_state, *database_);
   transaction.commit();
   stamp_ = stampOf(file_);
   digest_ = meta.at(kFileDigestKey);

@@ -7,7 +7,9 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
+#include "repertoire/learner_tables.h"
 #include "repertoire/repertoire_file.h"
 
 namespace hexapod {
@@ -63,7 +65,9 @@ void requireOurFormat(SqliteDatabase& database) {
          "version " + std::to_string(version));
   }
   // A view of that name could go on for ever.
-  for (const std::string table : {"entries", "meta", "history", "state"}) {
+  std::vector<std::string> tables = {"entries", "meta", "history", "state"};
+  if (version >= kLearnerTablesVersion) tables.insert(tables.end(), {"population", "archive"});
+  for (const std::string& table : tables) {
     if (database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = '" +
                          table + "'") != 1) {
       fail("a table " + table, "none");

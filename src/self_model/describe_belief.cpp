@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
-#include <sstream>
+#include <string>
+
+#include "common/text.h"
 
 namespace hexapod {
 
@@ -29,22 +29,21 @@ std::vector<LikelyLegs> likelyLegs(const RobotDescription& robot, const BodyBeli
 }
 
 std::string describe(const RobotDescription& robot, const BodyBelief& belief) {
-  std::ostringstream text;
-  text.imbue(std::locale::classic());
-  text << std::setprecision(2);
+  std::string text;
   for (const LikelyLegs& one : likelyLegs(robot, belief, 0.05)) {
-    text << (text.tellp() > 0 ? ", or " : "") << one.legs << " ("
-         << std::lround(100.0 * one.probability) << " %)";
+    text += (text.empty() ? "" : ", or ") + one.legs + " (" +
+            fixedText(100.0 * one.probability, 0) + " %)";
   }
   const BelievedBody& best = belief.bodies().front();
   for (int i = 0; i < kBodyParameters; ++i) {
     const double deviation = std::sqrt(best.covariance(i, i));
     if (std::abs(best.mean[i]) <= deviation) continue;
     const bool is_scale = std::string(bodyParameters()[i].unit).empty();
-    text << "; " << bodyParameters()[i].name << " "
-         << (is_scale ? std::exp(best.mean[i]) : best.mean[i]) << " +- " << deviation;
+    const double value = is_scale ? std::exp(best.mean[i]) : best.mean[i];
+    text += std::string("; ") + bodyParameters()[i].name + " " + numberText(value, 2) + " +- " +
+            numberText(deviation, 2);
   }
-  return text.str();
+  return text;
 }
 
 }  // namespace hexapod

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <locale>
 #include <memory>
 #include <set>
-#include <sstream>
+#include <string>
 
+#include "common/text.h"
 #include "evaluation/behavior_evaluator.h"
 #include "evaluation/verify.h"
 #include "evolution/br_evolution.h"
@@ -64,14 +63,15 @@ void add(const Genome& genome, const End& ode, const End& reduced, Agreement& ag
 }
 
 /// The median, 99 %, 99.9 % and the largest of ascending values, in thousandths.
-void writeDistribution(std::ostream& row, const std::vector<double>& values, const char* unit) {
+void addDistribution(const std::vector<double>& values, const std::string& unit,
+                     std::vector<std::string>& cells) {
   for (const double share : {0.5, 0.99, 0.999, 1.0}) {
     if (values.empty()) {
-      row << " | -";
+      cells.emplace_back("-");
       continue;
     }
     const auto rank = static_cast<std::size_t>(std::ceil(share * values.size()));
-    row << " | " << 1000.0 * values[std::max<std::size_t>(rank, 1) - 1] << unit;
+    cells.push_back(numberText(1000.0 * values[std::max<std::size_t>(rank, 1) - 1], 2) + unit);
   }
 }
 
@@ -114,14 +114,12 @@ Agreement compareEngines(const BenchCase& bench_case, const std::vector<Genome>&
 }
 
 std::string describe(const std::string& name, const Agreement& agreement) {
-  std::ostringstream row;
-  row.imbue(std::locale::classic());
-  row << "| " << name << " | " << agreement.compared << " | " << agreement.failed << " | "
-      << agreement.verdicts.size() << std::setprecision(2);
-  writeDistribution(row, agreement.apart_m, " mm");
-  writeDistribution(row, agreement.apart_rad, " mrad");
-  row << " |\n";
-  return row.str();
+  std::vector<std::string> cells = {name, std::to_string(agreement.compared),
+                                    std::to_string(agreement.failed),
+                                    std::to_string(agreement.verdicts.size())};
+  addDistribution(agreement.apart_m, " mm", cells);
+  addDistribution(agreement.apart_rad, " mrad", cells);
+  return tableRow(cells);
 }
 
 }  // namespace hexapod

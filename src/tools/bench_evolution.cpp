@@ -1,10 +1,9 @@
 #include "tools/bench_evolution.h"
 
-#include <iomanip>
-#include <locale>
-#include <sstream>
+#include <string>
 #include <vector>
 
+#include "common/text.h"
 #include "evolution/br_evolution.h"
 #include "tools/bench_cases.h"
 #include "tools/bench_machine.h"
@@ -57,12 +56,9 @@ GenerationCost measureGeneration(std::size_t archive, std::size_t gene_count) {
 
 std::string describe(const GenerationCost& cost, double evaluation_cpu_s) {
   const double simulation_s = static_cast<double>(cost.candidates) * evaluation_cpu_s;
-  std::ostringstream row;
-  row.imbue(std::locale::classic());
-  row << std::fixed << std::setprecision(2) << "| " << cost.archive << " | " << 1e3 * cost.cpu_s
-      << " | " << 100.0 * cost.cpu_s / (cost.cpu_s + simulation_s) << " % | "
-      << std::setprecision(0) << cost.peak_memory_mb << " MB |\n";
-  return row.str();
+  return tableRow({std::to_string(cost.archive), fixedText(1e3 * cost.cpu_s, 2),
+                   fixedText(100.0 * cost.cpu_s / (cost.cpu_s + simulation_s), 2) + " %",
+                   fixedText(cost.peak_memory_mb, 0) + " MB"});
 }
 
 }  // namespace hexapod

@@ -2,11 +2,10 @@
 
 #include <atomic>
 #include <deque>
-#include <iomanip>
-#include <locale>
 #include <memory>
-#include <sstream>
+#include <string>
 
+#include "common/text.h"
 #include "learning/learning_run.h"
 #include "simulation/reduced/batch_stepper.h"
 #include "tools/machine.h"
@@ -67,20 +66,18 @@ std::vector<LearningSpeed> measureLearning(const RobotDescription& robot,
 }
 
 std::string describe(const std::string& preset, const std::vector<LearningSpeed>& speeds) {
-  std::ostringstream rows;
-  rows.imbue(std::locale::classic());
-  rows << std::fixed;
+  std::string rows;
   const int lanes = reduced::lanes(reduced::bestInstructionSet());
   for (const LearningSpeed& speed : speeds) {
     const double busy = static_cast<double>(speed.use.lane_steps) /
                         static_cast<double>(lanes * speed.use.register_steps);
-    rows << "| " << preset << ", " << speed.threads << " | " << std::setprecision(0)
-         << static_cast<double>(speed.evaluations) / speed.cpu_s << " | "
-         << static_cast<double>(speed.simulations) / speed.cpu_s << " | " << std::setprecision(1)
-         << 100.0 * busy << " % | " << std::setprecision(2) << speed.cpu_s / speed.wall_s << " | "
-         << speeds.front().wall_s / speed.wall_s << " |\n";
+    rows += tableRow({preset + ", " + std::to_string(speed.threads),
+                      fixedText(static_cast<double>(speed.evaluations) / speed.cpu_s, 0),
+                      fixedText(static_cast<double>(speed.simulations) / speed.cpu_s, 0),
+                      fixedText(100.0 * busy, 1) + " %", fixedText(speed.cpu_s / speed.wall_s, 2),
+                      fixedText(speeds.front().wall_s / speed.wall_s, 2)});
   }
-  return rows.str();
+  return rows;
 }
 
 }  // namespace hexapod

@@ -2,11 +2,9 @@
 
 #include <deque>
 #include <functional>
-#include <iomanip>
-#include <locale>
 #include <memory>
-#include <sstream>
 
+#include "common/text.h"
 #include "evaluation/behavior_evaluator.h"
 #include "gait/behavior.h"
 #include "simulation/reduced/batch_rollout.h"
@@ -26,13 +24,6 @@ const char* const kThreadsHeading =
 namespace {
 
 constexpr std::size_t kCandidates = 512;
-
-std::ostringstream classicStream(int digits) {
-  std::ostringstream stream;
-  stream.imbue(std::locale::classic());
-  stream << std::fixed << std::setprecision(digits);
-  return stream;
-}
 
 /// Some controllers that do not fall: all of their behaviours have the same number of steps.
 std::vector<Genome> walkers(const BenchCase& bench_case, std::uint64_t seed) {
@@ -165,14 +156,14 @@ CaseSpeed measureSpeed(const BenchCase& bench_case, double cpu_s, std::uint64_t 
 }
 
 std::string describe(const std::string& name, const CaseSpeed& speed) {
-  std::ostringstream rows = classicStream(1);
+  std::string rows;
   const double ode_s = speed.engines.front().cpu_s_per_evaluation;
   for (const EngineSpeed& engine : speed.engines) {
-    rows << "| " << name << " | " << engine.name << " | " << 1.0 / engine.cpu_s_per_evaluation
-         << " | " << ode_s / engine.cpu_s_per_evaluation << " | " << std::setprecision(2)
-         << 1e6 * engine.cpu_s_per_step << std::setprecision(1) << " |\n";
+    rows += tableRow({name, engine.name, fixedText(1.0 / engine.cpu_s_per_evaluation, 1),
+                      fixedText(ode_s / engine.cpu_s_per_evaluation, 1),
+                      fixedText(1e6 * engine.cpu_s_per_step, 2)});
   }
-  return rows.str();
+  return rows;
 }
 
 std::vector<ThreadsSpeed> measureThreads(const BenchCase& bench_case, double cpu_s,
@@ -188,16 +179,15 @@ std::vector<ThreadsSpeed> measureThreads(const BenchCase& bench_case, double cpu
 }
 
 std::string describe(const std::vector<ThreadsSpeed>& speeds) {
-  std::ostringstream rows = classicStream(1);
+  std::string rows;
   for (const ThreadsSpeed& speed : speeds) {
-    rows << "| " << speed.name;
-    for (const double s : speed.cpu_s_per_evaluation) rows << " | " << 1.0 / s;
-    for (const double s : speed.wall_s_per_evaluation) rows << " | " << 1.0 / s;
-    rows << " | " << std::setprecision(2)
-         << speed.wall_s_per_evaluation[0] / speed.wall_s_per_evaluation[1] << std::setprecision(1)
-         << " |\n";
+    std::vector<std::string> cells = {speed.name};
+    for (const double s : speed.cpu_s_per_evaluation) cells.push_back(fixedText(1.0 / s, 1));
+    for (const double s : speed.wall_s_per_evaluation) cells.push_back(fixedText(1.0 / s, 1));
+    cells.push_back(fixedText(speed.wall_s_per_evaluation[0] / speed.wall_s_per_evaluation[1], 2));
+    rows += tableRow(cells);
   }
-  return rows.str();
+  return rows;
 }
 
 }  // namespace hexapod

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 
 #include "common/text.h"
 #include "tools/bench_numbers.h"
@@ -204,17 +202,15 @@ std::string describe(const std::string& name, const std::vector<PlanTrial>& tria
     touched += trial.touch_m < 0.0 ? 1 : 0;
     room_m = std::min(room_m, trial.touch_m);
   }
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << std::fixed << std::setprecision(1) << "| " << name << " | " << found << " of "
-      << trials.size() << " | " << quantile(first, 0.5) << " / " << quantile(first, 0.95) << " | "
-      << quantile(whole, 0.5) << " / " << quantile(whole, 0.99) << " / " << quantile(whole, 1.0)
-      << " | " << std::setprecision(2) << mean(steps) << " | " << proved << " | "
-      << mean(steps) / std::max(1.0, mean(bounds)) << " | "
-      << replanText(trials, &PlanTrial::predicted) << " | "
-      << replanText(trials, &PlanTrial::missed) << " | " << std::setprecision(1) << touched << " | "
-      << 100.0 * room_m << " |\n";
-  return out.str();
+  return tableRow(
+      {name, std::to_string(found) + " of " + std::to_string(trials.size()),
+       fixedText(quantile(first, 0.5), 1) + " / " + fixedText(quantile(first, 0.95), 1),
+       fixedText(quantile(whole, 0.5), 1) + " / " + fixedText(quantile(whole, 0.99), 1) + " / " +
+           fixedText(quantile(whole, 1.0), 1),
+       fixedText(mean(steps), 2), std::to_string(proved),
+       fixedText(mean(steps) / std::max(1.0, mean(bounds)), 2),
+       replanText(trials, &PlanTrial::predicted), replanText(trials, &PlanTrial::missed),
+       std::to_string(touched), fixedText(100.0 * room_m, 1)});
 }
 
 }  // namespace hexapod

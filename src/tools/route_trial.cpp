@@ -1,8 +1,9 @@
 #include "tools/route_trial.h"
 
-#include <iomanip>
-#include <sstream>
+#include <algorithm>
+#include <string>
 
+#include "common/text.h"
 #include "tools/bench_numbers.h"
 #include "tools/machine.h"
 
@@ -83,15 +84,16 @@ std::string describe(const std::string& name, const std::vector<RouteTrial>& tri
     wholes_ms.push_back(1e3 * trial.whole_s);
     again_ms.push_back(1e3 * trial.again_s);
   }
-  std::ostringstream out;
-  out.imbue(std::locale::classic());
-  out << std::fixed << std::setprecision(2) << "| " << name << " | " << planned_legs << " / "
-      << planned_wholes << " of " << trials.size() << " | " << mean(legs) << " | " << mean(wholes)
-      << " | " << std::setprecision(1) << 100.0 * (1.0 - mean(wholes) / std::max(1e-9, mean(legs)))
-      << " | " << quantile(legs_ms, 0.5) << " | " << quantile(wholes_ms, 0.5) << " / "
-      << quantile(wholes_ms, 0.99) << " | " << quantile(again_ms, 0.5) << " / "
-      << quantile(again_ms, 0.99) << " |\n";
-  return out.str();
+  const double saved = 1.0 - mean(wholes) / std::max(1e-9, mean(legs));
+  const auto medianAndTail = [](const std::vector<double>& values) {
+    return fixedText(quantile(values, 0.5), 1) + " / " + fixedText(quantile(values, 0.99), 1);
+  };
+  return tableRow({name,
+                   std::to_string(planned_legs) + " / " + std::to_string(planned_wholes) + " of " +
+                       std::to_string(trials.size()),
+                   fixedText(mean(legs), 2), fixedText(mean(wholes), 2),
+                   fixedText(100.0 * saved, 1), fixedText(quantile(legs_ms, 0.5), 1),
+                   medianAndTail(wholes_ms), medianAndTail(again_ms)});
 }
 
 }  // namespace hexapod

@@ -52,6 +52,7 @@ TEST(Text, RefusesWhatIsNotExactlyOneNumber) {
 }
 
 TEST(Text, ListsWordsWithCommasBetweenThem) {
+  EXPECT_EQ(tableRow({"a", "0.50"}), "| a | 0.50 |\n");
   EXPECT_EQ(listed({}), "");
   EXPECT_EQ(listed({"a"}), "a");
   EXPECT_EQ(listed({"a", "b", "c"}), "a, b, c");

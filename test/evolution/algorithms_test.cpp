@@ -23,7 +23,7 @@ class EveryAlgorithm : public testing::TestWithParam<std::string> {
     return makeAlgorithm(choice(), task, Random(seed));
   }
   std::unique_ptr<Generational> resumed(const EvolutionState& state) const {
-    return makeAlgorithm(choice(), task, stateFromTexts(toTexts(state), state.archive));
+    return makeAlgorithm(choice(), task, evolutionStateFrom(toLearnerState(state)));
   }
 
   CarefulEvaluator evaluator{3};
@@ -42,11 +42,11 @@ std::string digestOf(const Algorithm& algorithm) {
 TEST_P(EveryAlgorithm, HasChangedNothingBeforeTheLastAnswerIsIn) {
   const auto algorithm = begun();
   for (int generation = 0; generation < 5; ++generation) {
-    const auto before = toTexts(algorithm->state());
+    const std::string before = digestOf(toLearnerState(algorithm->state()));
     const std::string entries = digestOf(*algorithm);
     int answered = 0;
     for (; algorithm->counters().generations == generation; ++answered) {
-      EXPECT_EQ(toTexts(algorithm->state()), before);
+      EXPECT_EQ(digestOf(toLearnerState(algorithm->state())), before);
       EXPECT_EQ(digestOf(*algorithm), entries);
       algorithm->tell(answersOf(evaluator, algorithm->ask()));
     }
@@ -78,7 +78,8 @@ TEST_P(EveryAlgorithm, EndsLikeTheUndisturbedOneWhenStoppedAtAnyGeneration) {
     for (int generation = 0; generation < stop; ++generation) advance(*first, evaluator);
     const auto second = resumed(first->state());
     for (int generation = stop; generation < 20; ++generation) advance(*second, evaluator);
-    EXPECT_EQ(toTexts(second->state()), toTexts(undisturbed->state()));
+    EXPECT_EQ(digestOf(toLearnerState(second->state())),
+              digestOf(toLearnerState(undisturbed->state())));
     EXPECT_EQ(digestOf(*second), digestOf(*undisturbed));
   }
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <string>
 
 #include "analytic_evaluator.h"
 #include "evolution/br_evolution.h"
@@ -18,12 +19,12 @@ std::map<std::int64_t, Genome> contentOf(const Archive& archive) {
   return content;
 }
 
-/// Through text and back, entries in the order in which a file gives them.
-EvolutionState throughText(EvolutionState state) {
-  std::sort(state.archive.begin(), state.archive.end(),
-            [](const Entry& a, const Entry& b) { return a.id < b.id; });
-  return stateFromTexts(toTexts(state), state.archive);
+/// As a file keeps it, and back.
+EvolutionState keptAndBack(const EvolutionState& state) {
+  return evolutionStateFrom(toLearnerState(state));
 }
+
+std::string digestOf(const EvolutionState& state) { return digestOf(toLearnerState(state)); }
 
 TEST(EvolutionState, ARunStoppedAtAnyGenerationEndsLikeTheUndisturbedOne) {
   for (const char* diversity : {"genotypic", "crowding"}) {
@@ -35,10 +36,10 @@ TEST(EvolutionState, ARunStoppedAtAnyGenerationEndsLikeTheUndisturbedOne) {
     for (const int stop : {0, 1, 2, 13}) {
       BrEvolution first(options, 24, Random(20));
       for (int generation = 0; generation < stop; ++generation) advance(first, evaluator);
-      BrEvolution second(options, 24, throughText(first.state()));
+      BrEvolution second(options, 24, keptAndBack(first.state()));
       for (int generation = stop; generation < 25; ++generation) advance(second, evaluator);
       EXPECT_EQ(contentOf(second.archive()), contentOf(undisturbed.archive()));
-      EXPECT_EQ(toTexts(second.state()), toTexts(undisturbed.state()));
+      EXPECT_EQ(digestOf(second.state()), digestOf(undisturbed.state()));
     }
   }
 }
@@ -49,11 +50,11 @@ TEST(EvolutionState, ARunStoppedAfterEveryGenerationEndsLikeTheUndisturbedOne) {
   EvolutionState state = BrEvolution({}, 24, Random(21)).state();
   for (int generation = 0; generation < 25; ++generation) {
     advance(undisturbed, evaluator);
-    BrEvolution resumed({}, 24, throughText(state));
+    BrEvolution resumed({}, 24, keptAndBack(state));
     advance(resumed, evaluator);
     state = resumed.state();
   }
-  EXPECT_EQ(toTexts(state), toTexts(undisturbed.state()));
+  EXPECT_EQ(digestOf(state), digestOf(undisturbed.state()));
 }
 
 TEST(EvolutionState, SurvivesInfinityAndTheFallen) {
@@ -63,7 +64,7 @@ TEST(EvolutionState, SurvivesInfinityAndTheFallen) {
   individual.outcome = {Verdict::kSelfCollided, {}, 0.0};
   individual.standing = {3, std::numeric_limits<double>::infinity()};
   state.population = {individual};
-  const EvolutionState back = throughText(state);
+  const EvolutionState back = keptAndBack(state);
   ASSERT_EQ(back.population.size(), 1U);
   EXPECT_EQ(back.population[0].outcome.verdict, Verdict::kSelfCollided);
   EXPECT_EQ(back.population[0].genotype, (Genome{0, 1, 2, 3}));
@@ -81,34 +82,27 @@ TEST(EvolutionState, OfAnotherTaskGoesOnWithItsOwnGenotypes) {
   for (int generation = 0; generation < 9; ++generation) advance(undisturbed, evaluator);
   BrEvolution first(options, task, Random(24));
   for (int generation = 0; generation < 4; ++generation) advance(first, evaluator);
-  BrEvolution second(options, task, throughText(first.state()));
+  BrEvolution second(options, task, keptAndBack(first.state()));
   for (const Individual& individual : second.population()) {
     EXPECT_EQ(individual.genome, individual.genotype);
   }
   for (int generation = 4; generation < 9; ++generation) advance(second, evaluator);
-  EXPECT_EQ(toTexts(second.state()), toTexts(undisturbed.state()));
+  EXPECT_EQ(digestOf(second.state()), digestOf(undisturbed.state()));
 }
 
-TEST(EvolutionState, RefusesTextsThatAreDamaged) {
+TEST(EvolutionState, RefusesValuesThatAreDamaged) {
   AnalyticEvaluator evaluator;
   BrEvolution evolution({}, 24, Random(22));
   advance(evolution, evaluator);
-  const auto good = toTexts(evolution.state());
-  for (const auto& [name, text] : good) {
-    auto missing = good;
-    missing.erase(name);
-    if (name == "failed_later") {  // from before it was counted
-      EXPECT_EQ(stateFromTexts(missing, {}).counters.failed_later, 0);
-    } else {
-      EXPECT_THROW(stateFromTexts(missing, {}), std::invalid_argument) << name;
-    }
-    auto garbled = good;
-    garbled[name] = "x" + text;
-    EXPECT_THROW(stateFromTexts(garbled, {}), std::invalid_argument) << name;
+  const LearnerState good = toLearnerState(evolution.state());
+  for (const auto& [name, text] : good.values) {
+    LearnerState missing = good;
+    missing.values.erase(name);
+    EXPECT_THROW(evolutionStateFrom(missing), std::invalid_argument) << name;
+    LearnerState garbled = good;
+    garbled.values[name] = "x" + text;
+    EXPECT_THROW(evolutionStateFrom(garbled), std::invalid_argument) << name;
   }
-  auto cut = good;
-  cut["population"].resize(cut["population"].size() - 10);
-  EXPECT_THROW(stateFromTexts(cut, {}), std::invalid_argument);
 }
 
 TEST(EvolutionState, ThatDoesNotFitIsRefused) {

@@ -188,7 +188,7 @@ TEST_F(LearningSessionTest, SavesInEveryPhaseWhenAnotherThreadAsksForIt) {
     const std::string phase = toString(running.status().phase);
     if (!saved_phases.insert(phase).second) return;
     std::thread([&] { EXPECT_EQ(session.saveNow(), ""); }).join();
-    EXPECT_EQ(loadLearnerState(options.repertoire_file).at("session.phase"), phase);
+    EXPECT_EQ(loadLearnerState(options.repertoire_file).values.at("session.phase"), phase);
   };
   EXPECT_TRUE(session.run(hooks));
   EXPECT_EQ(saved_phases,

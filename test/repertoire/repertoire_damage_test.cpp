@@ -95,9 +95,9 @@ TEST_F(DamagedFile, AnotherProgramsDatabaseIsRefused) {
 }
 
 TEST_F(DamagedFile, OtherFormatVersionsAreRefused) {
-  for (const int version : {0, 3, 99}) {
+  for (const int version : {0, 4, 99}) {
     edit("PRAGMA user_version = " + std::to_string(version));
-    expectComplaint({"format version 1 to 2", "version " + std::to_string(version)});
+    expectComplaint({"format version 1 to 3", "version " + std::to_string(version)});
   }
 }
 
@@ -108,6 +108,22 @@ TEST_F(DamagedFile, AMissingTableColumnOrRowIsNamed) {
   expectComplaint({"yaw_rad"});
   edit("DROP TABLE history");
   expectComplaint({"history"});
+}
+
+TEST_F(DamagedFile, IllegalRowsOfALearnerAreNamed) {
+  const std::string whole = contentOf(file_);
+  const std::vector<std::pair<std::string, std::string>> spoilt = {
+      {"INSERT INTO population VALUES (1, 1, '01', 'flew', 0.0, 0.0, 0.0, 0.0, 0, 0.0, 1)",
+       "'flew'"},
+      {"INSERT INTO population VALUES (1, 1, '!', 'fell', 0.0, 0.0, 0.0, 0.0, 0, 0.0, 1)",
+       "genome"},
+      {"INSERT INTO archive VALUES (1, '01', 'far', 0.0, 0.0, 0.0, 1, 0)", "table archive"},
+      {"DROP TABLE archive", "table archive"}};
+  for (const auto& [sql, word] : spoilt) {
+    writeContent(file_, whole);
+    edit(sql);
+    expectComplaint({word});
+  }
 }
 
 TEST_F(DamagedFile, AViewInThePlaceOfATableIsRefused) {
@@ -174,6 +190,8 @@ TEST_F(DamagedFile, EditedMetaHistoryOrStateDoesNotMatchItsDigest) {
   for (const char* sql :
        {"UPDATE meta SET value = '5' WHERE key = 'seed'", "UPDATE history SET elapsed_s = 0.5",
         "INSERT INTO state VALUES ('random', x'00')",
+        "INSERT INTO population VALUES (1, 1, '01', 'fell', 0.0, 0.0, 0.0, 0.0, 0, 0.0, 1)",
+        "INSERT INTO archive VALUES (1, '01', 0.0, 0.0, 0.0, 0.0, 1, 0)",
         "DELETE FROM meta WHERE key = 'option.seed'"}) {
     writeContent(file_, whole);
     edit(sql);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "fixtures.h"
 #include "repertoire/repertoire_writer.h"
@@ -61,15 +62,46 @@ void expectEqual(const Repertoire& a, const Repertoire& b) {
   }
 }
 
+/// Something of everything a learner keeps; the archive is not in the order of ids.
+LearnerState sampleState() {
+  LearnerState state;
+  state.values = {{"random", "1 2 3"}, {"blob", std::string("a\0b\xff", 4)}, {"none", ""}};
+  state.population = {{3, 3, {0, 1, 2, 3}, {Verdict::kSelfCollided, {}, 0.0}, 2, 0.1, 1},
+                      {5,
+                       4,
+                       {200, 1, 2, 3},
+                       {Verdict::kWalked, {0.1, -0.2, 3.0}, 0.3},
+                       0,
+                       std::numeric_limits<double>::infinity(),
+                       3}};
+  Entry entry;
+  for (const std::int64_t id : {9, 4}) {
+    entry.id = id;
+    entry.genome = {static_cast<std::uint8_t>(id), 1};
+    entry.end_pose = {1.0 / 3.0, -0.2, 0.1};
+    entry.cost = 0.2;
+    entry.evaluation = id + 1;
+    state.archive.push_back(entry);
+  }
+  state.dropped = {4};
+  return state;
+}
+
 TEST(RepertoireFile, GivesBackWhatWasSavedToTheLastBit) {
   const TemporaryFolder folder;
   const std::string file = folder.file("a.db");
-  const LearnerState state{{"random", "1 2 3"}, {"blob", std::string("a\0b\xff", 4)}, {"none", ""}};
+  const LearnerState state = sampleState();
   saveRepertoire(file, sampleRepertoire(), state);
   const StoredRepertoire stored = loadStoredRepertoire(file);
   expectEqual(stored.repertoire, sampleRepertoire());
-  EXPECT_EQ(stored.learner_state, state);
-  EXPECT_EQ(loadLearnerState(file), state);
+  EXPECT_EQ(digestOf(stored.learner_state), digestOf(state));
+  EXPECT_EQ(stored.learner_state.values, state.values);
+  EXPECT_EQ(stored.learner_state.dropped, state.dropped);
+  ASSERT_EQ(stored.learner_state.population.size(), 2U);
+  EXPECT_EQ(stored.learner_state.population[1].diversity, state.population[1].diversity);
+  EXPECT_EQ(stored.learner_state.population[0].outcome.verdict, Verdict::kSelfCollided);
+  ASSERT_EQ(stored.learner_state.archive.size(), 2U);
+  EXPECT_EQ(stored.learner_state.archive[0].id, 9);
   expectEqual(loadRepertoire(file), sampleRepertoire());
 }
 
@@ -132,7 +164,7 @@ TEST(RepertoireFile, OfVersion1IsReadWithItsOrientationErrorAsCost) {
 
 TEST(RepertoireFile, CanBeReadWithOrdinaryTools) {
   const TemporaryFolder folder;
-  saveRepertoire(folder.file("a.db"), sampleRepertoire(3));
+  saveRepertoire(folder.file("a.db"), sampleRepertoire(3), sampleState());
   SqliteDatabase database(folder.file("a.db"), SqliteDatabase::Mode::kRead);
   EXPECT_EQ(database.integer("PRAGMA application_id"), kApplicationId);
   EXPECT_EQ(database.integer("PRAGMA user_version"), kFormatVersion);
@@ -140,6 +172,8 @@ TEST(RepertoireFile, CanBeReadWithOrdinaryTools) {
   EXPECT_EQ(database.integer("SELECT count(*) FROM entries WHERE executed_x_m IS NULL"), 2);
   EXPECT_EQ(database.integer("SELECT value FROM meta WHERE key = 'option.seed'"), 11);
   EXPECT_EQ(database.integer("SELECT count(*) FROM history"), 2);
+  EXPECT_EQ(database.integer("SELECT count(*) FROM population WHERE verdict = 'self-collided'"), 1);
+  EXPECT_EQ(database.integer("SELECT id FROM archive WHERE dropped"), 4);
 }
 
 TEST(RepertoireFile, IsCompleteAloneOnceTheWriterIsGone) {

@@ -30,12 +30,13 @@ TEST(RepertoireWriter, ReplacesTheWholeContentAtEachSave) {
   const TemporaryFolder folder;
   RepertoireWriter writer(folder.file("a.db"));
   EXPECT_FALSE(writer.holdsRepertoire());
-  writer.save(sampleRepertoire(40), {{"key", "old"}});
+  writer.save(sampleRepertoire(40), {{{"key", "old"}}, {}, {}, {}});
   EXPECT_TRUE(writer.holdsRepertoire());
   EXPECT_EQ(loadRepertoire(folder.file("a.db")).entries.size(), 40U);
-  writer.save(sampleRepertoire(30), {{"other", "new"}});
+  writer.save(sampleRepertoire(30), {{{"other", "new"}}, {}, {}, {}});
   EXPECT_EQ(loadRepertoire(folder.file("a.db")).entries.size(), 30U);
-  EXPECT_EQ(loadLearnerState(folder.file("a.db")), (LearnerState{{"other", "new"}}));
+  const std::map<std::string, std::string> saved{{"other", "new"}};
+  EXPECT_EQ(loadLearnerState(folder.file("a.db")).values, saved);
 }
 
 TEST(RepertoireWriter, FindsTheRepertoireOfAnEarlierRun) {
@@ -95,6 +96,20 @@ TEST(RepertoireWriter, ReplacesAFileOfAnotherVersionOnlyWhenItIsMovedAway) {
       .execute("PRAGMA user_version = 1");
   EXPECT_TRUE(
       mentions(complaintOf([&] { saveRepertoire(folder.file("a.db"), {}); }), "format version 1"));
+}
+
+TEST(RepertoireWriter, MakesAFileOfVersion2OneOfItsOwn) {
+  const TemporaryFolder folder;
+  const std::string file = folder.file("a.db");
+  saveRepertoire(file, sampleRepertoire(5), {{{"population", "1 1 0123 fell"}}, {}, {}, {}});
+  SqliteDatabase(file, SqliteDatabase::Mode::kWrite)
+      .execute("DROP TABLE population; DROP TABLE archive; PRAGMA user_version = 2");
+  EXPECT_EQ(loadLearnerState(file).values.at("population"), "1 1 0123 fell");
+  EXPECT_EQ(loadRepertoire(file).entries.size(), 5U);
+  saveRepertoire(file, sampleRepertoire(6));
+  EXPECT_EQ(loadRepertoire(file).entries.size(), 6U);
+  EXPECT_EQ(SqliteDatabase(file, SqliteDatabase::Mode::kRead).integer("PRAGMA user_version"),
+            kFormatVersion);
 }
 
 TEST(RepertoireWriter, GoesOnWhenItsFileOrFolderWasRemoved) {
