@@ -90,7 +90,8 @@ PlanResult Walk::planOnward(const PlanRequest& request) {
 std::string Walk::describeArrival(const Pose2& world_from_robot, const PlanResult& plan) const {
   const Pose2& goal = route_.back().world_from_goal;
   std::string text = "Arrived at " + poseText(world_from_robot) + " after " +
-                     std::to_string(steps_taken_) + " behaviours";
+                     std::to_string(steps_taken_) +
+                     (steps_taken_ == 1 ? " behaviour" : " behaviours");
   if (route_.size() > 1) text += " through " + std::to_string(route_.size()) + " waypoints";
   if (distance(plan.world_from_target, goal) > 0.0) {
     text += ", the nearest free pose to the goal " + poseText(goal);
