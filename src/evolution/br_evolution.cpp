@@ -52,6 +52,10 @@ void BrEvolution::finish(Pool pool) {
                           static_cast<std::size_t>(options_.population_size), options_.diversity);
 }
 
+void BrEvolution::judgeEntries() {
+  archive_.setDisparities([this](const Entry& entry) { return disparityOf(entry); });
+}
+
 bool BrEvolution::isPromising(const Individual& individual,
                               const Neighbourhood& neighbourhood) const {
   if (!individual.outcome.walked()) return false;

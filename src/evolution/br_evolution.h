@@ -44,6 +44,9 @@ namespace hexapod {
 ///   archive_tournament the best aligned of the entries around such a one.
 /// - novelty_decay: the novelty threshold goes down as candidates are evaluated.
 /// - candidates: a generation has more of them, or fewer, than the population individuals.
+/// - judgeBy(): transferability is a third objective of the selection, and part of what is
+/// compared
+///   in local competition and by the archive.
 /// And in a task with further looks only individuals whose outcome is final are offered to the
 /// archive. Of parents and candidates those are looked at again, and yet again, that the archive of
 /// that moment would take by the outcome they have, themselves or a twin of theirs; who turns out
@@ -67,6 +70,7 @@ class BrEvolution : public Generational {
   std::vector<Genome> breed(std::size_t count, Random& random) const override;
   std::vector<std::size_t> promising(const std::vector<Individual>& pool, int looks) const override;
   void finish(Pool pool) override;
+  void judgeEntries() override;
 
   bool isPromising(const Individual& individual, const Neighbourhood& neighbourhood) const;
   std::vector<Objectives> offerToArchive(Pool& pool);

@@ -37,7 +37,7 @@ const Entry& Breeder::bestAround(const Entry& entry) const {
   const Entry* best = &entry;
   for (const Neighbour& near : archive_.nearest(entry.end_pose, archive_tournament_)) {
     const Entry& rival = archive_.entries()[near.slot];
-    if (rival.cost < best->cost) best = &rival;
+    if (rival.price() < best->price()) best = &rival;
   }
   return *best;
 }

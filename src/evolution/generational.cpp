@@ -61,6 +61,14 @@ void Generational::beginWith(std::vector<Genome> genotypes) {
   first_ = std::move(genotypes);
 }
 
+void Generational::judgeBy(std::shared_ptr<const Transferability> transferability) {
+  transferability_ = std::move(transferability);
+  for (Individual& individual : population_) {
+    individual.disparity = disparityOf(individual.genome, individual.outcome);
+  }
+  judgeEntries();
+}
+
 EvolutionState Generational::state() const {
   return {random_, next_id_, counters_, population_, entries()};
 }
@@ -90,6 +98,7 @@ void Generational::tell(const std::vector<Outcome>& outcomes) {
     const bool had_walked = draft_->questions.look > 1 && individual.outcome.walked();
     individual.outcome = checked(outcomes[k]);
     individual.looks = draft_->questions.look;
+    individual.disparity = disparityOf(individual.genome, individual.outcome);
     if (had_walked && !individual.outcome.walked()) ++draft_->failed_later;
     draft_->pool.is_news[i] = true;
   }
@@ -175,6 +184,7 @@ std::vector<Individual> Generational::twins(const Individual& individual) const 
     twin.id = individual.id + 1 + static_cast<std::int64_t>(twins.size());
     twin.genotype = twin.genome = symmetry.image(individual.genome);
     twin.outcome = symmetry.image(individual.outcome);
+    twin.disparity = disparityOf(twin.genome, twin.outcome);
     twins.push_back(std::move(twin));
   }
   return twins;

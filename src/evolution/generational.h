@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "evolution/algorithm.h"
 #include "evolution/individual.h"
 #include "evolution/task.h"
+#include "evolution/transferability.h"
 
 namespace hexapod {
 
@@ -30,6 +32,10 @@ class Generational : public Algorithm {
   /// many there are, and of bred ones where they are fewer than a generation has. Throws
   /// std::invalid_argument when one has another number of genes.
   void beginWith(std::vector<Genome> genotypes);
+
+  /// Individuals and entries compete by what is known of a robot, too, from the next generation on.
+  /// Between generations only. It is no part of the state: who goes on from that calls it again.
+  void judgeBy(std::shared_ptr<const Transferability> transferability);
 
   /// The individuals kept from generation to generation; none where the entries are all there is.
   const std::vector<Individual>& population() const { return population_; }
@@ -53,6 +59,15 @@ class Generational : public Algorithm {
     task_.spread(count, work);
   }
 
+  /// What is known of a robot; 0 when nothing is.
+  double disparityOf(const Genome& genome, const Outcome& simulated) const {
+    return transferability_ && simulated.walked() ? transferability_->disparity(genome, simulated)
+                                                  : 0.0;
+  }
+  double disparityOf(const Entry& entry) const {
+    return disparityOf(entry.genome, {Verdict::kWalked, entry.end_pose, entry.cost});
+  }
+
   /// The image of the individual under each symmetry in use.
   std::vector<Individual> twins(const Individual& individual) const;
 
@@ -70,6 +85,8 @@ class Generational : public Algorithm {
                                              int looks) const = 0;
   /// All answers are in, and counted. Must not throw.
   virtual void finish(Pool pool) = 0;
+  /// What is known of a robot has changed: the entries' disparities are to be found anew.
+  virtual void judgeEntries() = 0;
 
   std::vector<Individual> population_;
   EvolutionCounters counters_;
@@ -96,6 +113,7 @@ class Generational : public Algorithm {
   Random random_;
   std::int64_t next_id_ = 1;
   std::vector<Genome> first_;  // of the first generation
+  std::shared_ptr<const Transferability> transferability_;
   std::optional<Draft> draft_;
 };
 

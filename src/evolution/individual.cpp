@@ -9,6 +9,7 @@ Entry entryOf(const Individual& individual) {
   entry.end_pose = individual.outcome.end_pose;
   entry.cost = individual.outcome.cost;
   entry.evaluation = individual.evaluation;
+  entry.disparity = individual.disparity;
   return entry;
 }
 
@@ -20,6 +21,7 @@ Individual individualOf(const Entry& entry, int looks) {
   individual.genome = entry.genome;
   individual.outcome = {Verdict::kWalked, entry.end_pose, entry.cost};
   individual.looks = looks;
+  individual.disparity = entry.disparity;
   return individual;
 }
 

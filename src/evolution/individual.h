@@ -18,8 +18,12 @@ struct Individual {
   Genome genotype;              ///< the genes as they are inherited and mutated
   Genome genome;                ///< canonical(genotype): what is simulated, compared and archived
   Outcome outcome;
-  Standing standing;  ///< among the parents and children it was last selected from
-  int looks = 0;      ///< number of the look that gave the outcome (see Evaluator)
+  Standing standing;       ///< among the parents and children it was last selected from
+  int looks = 0;           ///< number of the look that gave the outcome (see Evaluator)
+  double disparity = 0.0;  ///< Transferability, where there is any
+
+  /// What it competes with: lower is better.
+  double price() const { return outcome.cost + disparity; }
 };
 
 /// The entry an individual that walked makes.

@@ -64,12 +64,16 @@ void MapElites::finish(Pool pool) {
   }
 }
 
+void MapElites::judgeEntries() {
+  for (Entry& elite : elites_) elite.disparity = disparityOf(elite);
+}
+
 std::optional<std::size_t> MapElites::placeFor(const Individual& individual) const {
   // A gait that is its own mirror image ends in one place, not in two.
   if (genomes_.count(individual.genome) > 0) return std::nullopt;
   const auto found = places_.find(cells_(individual.outcome.end_pose));
   if (found == places_.end()) return elites_.size();
-  const bool is_better = individual.outcome.cost < elites_[found->second].cost;
+  const bool is_better = individual.price() < elites_[found->second].price();
   return is_better ? std::optional<std::size_t>(found->second) : std::nullopt;
 }
 

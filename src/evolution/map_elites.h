@@ -40,6 +40,7 @@ class MapElites : public Generational {
   std::vector<Genome> breed(std::size_t count, Random& random) const override;
   std::vector<std::size_t> promising(const std::vector<Individual>& pool, int looks) const override;
   void finish(Pool pool) override;
+  void judgeEntries() override;
 
   /// The place among elites_ that the individual would take; nothing when it would take none.
   std::optional<std::size_t> placeFor(const Individual& individual) const;

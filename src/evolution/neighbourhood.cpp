@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 Neighbourhood::Member::Member(const Individual& individual)
     : end(individual.outcome.end_pose),
       id(individual.id),
-      cost(individual.outcome.cost),
+      price(individual.price()),
       genome(individual.genome) {}
 
 Neighbourhood::Neighbourhood(const Archive& archive, const std::vector<Individual>& pool,
@@ -43,9 +43,9 @@ Neighbourhood::View Neighbourhood::view(const Individual& individual) const {
   view.changes = changes_.size();
   if (!individual.outcome.walked()) return view;
   const std::vector<Rival> nearest = rivals(individual, entriesAround(individual));
-  view.objectives = {mean_m(nearest, nearest.size()), 0.0};
+  view.objectives = {mean_m(nearest, nearest.size()), 0.0, -individual.disparity};
   for (const Rival& rival : nearest) {
-    if (rival.cost > individual.outcome.cost) view.objectives[1] += 1.0;
+    if (rival.price > individual.price()) view.objectives[1] += 1.0;
   }
   const bool sees_all = nearest.size() < neighbours_;
   view.reach_m2 = sees_all ? kInfinity : nearest.back().squared_distance_m2;
@@ -63,7 +63,7 @@ void Neighbourhood::refresh(const Individual& individual, View& view) const {
 
 bool Neighbourhood::isWanted(const Individual& individual, double threshold_m) const {
   std::vector<Rival> entries = entriesAround(individual);
-  if (!entries.empty() && individual.outcome.cost < entries.front().cost) return true;
+  if (!entries.empty() && individual.price() < entries.front().price) return true;
   // The crowd can but bring some nearer than the entries are.
   if (entries.size() >= neighbours_ && mean_m(entries, neighbours_) <= threshold_m) return false;
   const std::vector<Rival> nearest = rivals(individual, std::move(entries));
@@ -93,7 +93,7 @@ std::vector<Neighbourhood::Rival> Neighbourhood::entriesAround(const Individual&
        archive_->nearest(individual.outcome.end_pose, neighbours_ + 1)) {
     const Entry& entry = archive_->entries()[neighbour.slot];
     if (entry.genome == individual.genome) continue;
-    rivals.push_back({neighbour.squared_distance_m2, neighbour.id, entry.cost});
+    rivals.push_back({neighbour.squared_distance_m2, neighbour.id, entry.price()});
   }
   return rivals;
 }
@@ -108,7 +108,7 @@ std::vector<Neighbourhood::Rival> Neighbourhood::rivals(const Individual& indivi
   for (const Member& other : crowd_) {
     const double squared_m2 = metric.squaredDistance_m2(other.end, end);
     if (squared_m2 > enough_m2 || other.genome == individual.genome) continue;
-    rivals.push_back({squared_m2, other.id, other.cost});
+    rivals.push_back({squared_m2, other.id, other.price});
   }
   const auto closer = [](const Rival& a, const Rival& b) {
     return std::tie(a.squared_distance_m2, a.id) < std::tie(b.squared_distance_m2, b.id);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -12,7 +13,7 @@
 namespace hexapod {
 
 /// Objectives of an individual that reached no end pose: worse than those of any that did.
-constexpr Objectives kFailed = {-1.0, -1.0};
+constexpr Objectives kFailed = {-1.0, -1.0, -std::numeric_limits<double>::infinity()};
 
 /// neigh(i) of Algorithm 1: the nearest individuals among population and archive, by the archive's
 /// metric; of equally distant ones those with the lower ids.
@@ -30,10 +31,12 @@ class Neighbourhood {
 
   /// What an individual sees around it, and as far as it looks.
   struct View {
-    /// {novelty [m], local competition} of an individual of the pool.
+    /// {novelty [m], local competition, transferability} of an individual of the pool.
     /// Novelty (eq. 1): mean distance to the neighbours; infinite when there are none.
-    /// Local competition (eq. 2): the number of neighbours with the *larger* cost. Eq. 2 as printed
-    /// counts the smaller ones; Algorithm 1 and the text ("outperforms") decide.
+    /// Local competition (eq. 2): the number of neighbours with the *larger* price. Eq. 2 as
+    /// printed counts the smaller ones; Algorithm 1 and the text ("outperforms") decide.
+    /// Transferability: the disparity with its sign changed, which is part of the price, too; 0
+    /// where nothing is known of a robot.
     Objectives objectives = kFailed;
     double reach_m2 = 0.0;    ///< square of the distance of the last neighbour
     std::size_t changes = 0;  ///< so many were known then
@@ -45,9 +48,9 @@ class Neighbourhood {
 
   Objectives objectives(const Individual& individual) const { return view(individual).objectives; }
 
-  /// Whether the archive as it is would take the individual, whose genome is not in it: it costs
-  /// less than the entry nearest to it, or its novelty is above the threshold. Quick where entries
-  /// are dense.
+  /// Whether the archive as it is would take the individual, whose genome is not in it: its price
+  /// is less than that of the entry nearest to it, or its novelty is above the threshold. Quick
+  /// where entries are dense.
   bool isWanted(const Individual& individual, double threshold_m) const;
 
   /// The archive took the individual, in the place of an entry where one had to leave.
@@ -59,14 +62,14 @@ class Neighbourhood {
   struct Rival {
     double squared_distance_m2;
     std::int64_t id;
-    double cost;
+    double price;
   };
   struct Member {
     explicit Member(const Individual& individual);
 
     Pose2 end;
     std::int64_t id;
-    double cost;
+    double price;
     Genome genome;
   };
   /// The nearest in the archive, the nearest first, neighbours_ or one more if there are as many.

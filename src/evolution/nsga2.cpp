@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <tuple>
 
 namespace hexapod {
 namespace {
@@ -23,25 +24,34 @@ std::vector<std::size_t> sortedIndices(std::size_t count, Less less) {
 }  // namespace
 
 bool dominates(const Objectives& a, const Objectives& b) {
-  return a[0] >= b[0] && a[1] >= b[1] && (a[0] > b[0] || a[1] > b[1]);
+  for (std::size_t axis = 0; axis < a.size(); ++axis) {
+    if (a[axis] < b[axis]) return false;
+  }
+  return a != b;
 }
 
 std::vector<Front> nonDominatedFronts(const std::vector<Objectives>& objectives) {
-  // In this order nothing is dominated by what comes later, and the last member of a front is its
-  // best in the second objective: it alone tells whether the front dominates a newcomer.
+  // In this order nothing is dominated by what comes later, and who is dominated by a member of a
+  // front is by one of every front before it. The latest members are the likeliest to dominate.
   const auto order = sortedIndices(objectives.size(), [&](std::size_t a, std::size_t b) {
     return objectives[a] > objectives[b];
   });
   std::vector<Front> fronts;
-  for (const std::size_t i : order) {
-    const auto home = std::partition_point(fronts.begin(), fronts.end(), [&](const Front& front) {
-      return dominates(objectives[front.back()], objectives[i]);
-    });
-    if (home == fronts.end()) {
-      fronts.push_back({i});
-    } else {
-      home->push_back(i);
+  std::size_t home = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const Objectives& newcomer = objectives[order[k]];
+    // Equals come one after another, and many they are where many have failed.
+    if (k == 0 || objectives[order[k - 1]] != newcomer) {
+      const auto first =
+          std::partition_point(fronts.begin(), fronts.end(), [&](const Front& front) {
+            return std::any_of(front.rbegin(), front.rend(), [&](std::size_t member) {
+              return dominates(objectives[member], newcomer);
+            });
+          });
+      home = static_cast<std::size_t>(first - fronts.begin());
     }
+    if (home == fronts.size()) fronts.emplace_back();
+    fronts[home].push_back(order[k]);
   }
   for (Front& front : fronts) std::sort(front.begin(), front.end());
   return fronts;
@@ -50,7 +60,7 @@ std::vector<Front> nonDominatedFronts(const std::vector<Objectives>& objectives)
 std::vector<double> crowdingDistances(const std::vector<Objectives>& objectives,
                                       const Front& front) {
   std::vector<double> distances(front.size(), 0.0);
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < std::tuple_size<Objectives>::value; ++axis) {
     const auto value = [&](std::size_t member) { return objectives[front[member]][axis]; };
     const auto order = sortedIndices(
         front.size(), [&](std::size_t a, std::size_t b) { return value(a) < value(b); });

@@ -9,8 +9,8 @@
 
 namespace hexapod {
 
-/// Two objectives, both to be maximised.
-using Objectives = std::array<double, 2>;
+/// Three objectives, all to be maximised. One in which all individuals are equal plays no part.
+using Objectives = std::array<double, 3>;
 
 /// Indices of the members of one Pareto front.
 using Front = std::vector<std::size_t>;
@@ -21,11 +21,11 @@ struct Standing {
   double diversity = 0.0;  ///< within its front, larger is better
 };
 
-/// True when a is at least as good in both objectives and better in one.
+/// True when a is at least as good in all objectives and better in one.
 bool dominates(const Objectives& a, const Objectives& b);
 
 /// Non-dominated sorting (Deb et al. 2002): the fronts from best to worst, each sorted by index.
-/// One sweep in O(n log n), as there are two objectives. Objectives must not be NaN.
+/// Fronts are looked for by bisection (Zhang et al. 2015). Objectives must not be NaN.
 std::vector<Front> nonDominatedFronts(const std::vector<Objectives>& objectives);
 
 /// Crowding distance (Deb et al. 2002) of each member of a front, in its order: sum over objectives

@@ -53,6 +53,10 @@ void TargetEvolution::finish(Pool pool) {
   }
 }
 
+void TargetEvolution::judgeEntries() {
+  for (Entry& entry : front_) entry.disparity = disparityOf(entry);
+}
+
 std::optional<Individual> TargetEvolution::nearest() const {
   const Individual* best = nullptr;
   const auto key = [this](const Individual& individual) {
@@ -84,8 +88,8 @@ double TargetEvolution::distance(const Individual& individual) const {
 
 Objectives TargetEvolution::objectives(const Individual& individual) const {
   constexpr double kWorst = -std::numeric_limits<double>::infinity();
-  if (!individual.outcome.walked()) return {kWorst, kWorst};
-  return {-distance(individual), -individual.outcome.cost};
+  if (!individual.outcome.walked()) return {kWorst, kWorst, kWorst};
+  return {-distance(individual), -individual.outcome.cost, -individual.disparity};
 }
 
 }  // namespace hexapod

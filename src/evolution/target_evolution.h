@@ -39,6 +39,7 @@ class TargetEvolution : public Generational {
   std::vector<Genome> breed(std::size_t count, Random& random) const override;
   std::vector<std::size_t> promising(const std::vector<Individual>& pool, int looks) const override;
   void finish(Pool pool) override;
+  void judgeEntries() override;
 
   double distance(const Individual& individual) const;
   Objectives objectives(const Individual& individual) const;

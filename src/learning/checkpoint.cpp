@@ -9,13 +9,15 @@
 namespace hexapod {
 namespace {
 
-constexpr std::array<LearningPhase, 5> kPhases = {
-    LearningPhase::kEvolving, LearningPhase::kVerifying, LearningPhase::kValidating,
-    LearningPhase::kTryingWorlds, LearningPhase::kDone};
+constexpr std::array<LearningPhase, 6> kPhases = {
+    LearningPhase::kEvolving,     LearningPhase::kVerifying,    LearningPhase::kValidating,
+    LearningPhase::kTryingWorlds, LearningPhase::kTransferring, LearningPhase::kDone};
 // Evolution's own values stand beside these.
 constexpr const char* kPhaseKey = "session.phase";
 constexpr const char* kElapsedKey = "session.elapsed_s";
 constexpr const char* kSimulationsKey = "session.simulations";
+// Only where trials are made.
+constexpr const char* kAttemptsKey = "session.trial_attempts";
 
 [[noreturn]] void fail(const std::string& name, const std::string& expected,
                        const std::string& found) {
@@ -34,7 +36,8 @@ LearningPhase phaseFrom(const LearnerState& state) {
   for (const LearningPhase phase : kPhases) {
     if (text == toString(phase)) return phase;
   }
-  fail(kPhaseKey, "evolving, verifying, validating, trying_worlds or done", "'" + text + "'");
+  fail(kPhaseKey, "evolving, verifying, validating, trying_worlds, transferring or done",
+       "'" + text + "'");
 }
 
 double elapsedFrom(const LearnerState& state) {
@@ -44,11 +47,15 @@ double elapsedFrom(const LearnerState& state) {
   return *number;
 }
 
-std::int64_t simulationsFrom(const LearnerState& state) {
-  const std::string text = textOf(state, kSimulationsKey);
+std::int64_t countFrom(const LearnerState& state, const std::string& name) {
+  const std::string text = textOf(state, name);
   const auto number = integerFromText(text);
-  if (!number || *number < 0) fail(kSimulationsKey, "a count", "'" + text + "'");
+  if (!number || *number < 0) fail(name, "a count", "'" + text + "'");
   return *number;
+}
+
+std::int64_t attemptsFrom(const LearnerState& state) {
+  return state.values.count(kAttemptsKey) > 0 ? countFrom(state, kAttemptsKey) : 0;
 }
 
 /// The archive is what the repertoire has, and what it leaves out.
@@ -76,6 +83,8 @@ std::string toString(LearningPhase phase) {
       return "validating";
     case LearningPhase::kTryingWorlds:
       return "trying_worlds";
+    case LearningPhase::kTransferring:
+      return "transferring";
     case LearningPhase::kDone:
       return "done";
   }
@@ -88,14 +97,17 @@ LearnerState toLearnerState(const Checkpoint& checkpoint) {
   state.values[kElapsedKey] = exactText(checkpoint.elapsed_s);
   state.values[kSimulationsKey] = std::to_string(checkpoint.simulations);
   state.dropped = checkpoint.dropped;
+  if (checkpoint.trial_attempts > 0) {
+    state.values[kAttemptsKey] = std::to_string(checkpoint.trial_attempts);
+  }
   return state;
 }
 
 Checkpoint checkpointFrom(const StoredRepertoire& stored) {
   const LearnerState& state = stored.learner_state;
   requireArchiveOf(stored);
-  return {evolutionStateFrom(state), phaseFrom(state), elapsedFrom(state), simulationsFrom(state),
-          state.dropped};
+  return {evolutionStateFrom(state),         phaseFrom(state), elapsedFrom(state),
+          countFrom(state, kSimulationsKey), state.dropped,    attemptsFrom(state)};
 }
 
 }  // namespace hexapod

@@ -16,7 +16,8 @@ struct Checkpoint {
   LearningPhase phase = LearningPhase::kEvolving;
   double elapsed_s = 0.0;  ///< spent evolving
   std::int64_t simulations = 0;
-  std::set<std::int64_t> dropped;  ///< ids of the archive's entries that the repertoire leaves out
+  std::set<std::int64_t> dropped;   ///< ids of the archive's entries that the repertoire leaves out
+  std::int64_t trial_attempts = 0;  ///< behaviours that the robot was, or was to be, asked for
 };
 
 /// The checkpoint as a repertoire file keeps it.

@@ -131,11 +131,26 @@ Findings tryOtherWorlds(const LearningRun& run, const PlayHooks& hooks) {
   return findings;
 }
 
+bool isTransferred(const LearningRun& run) { return !run.trials().empty(); }
+
+double costOfTransfer(const LearningRun&) { return 0.0; }
+
+/// Where entries are expected on the robot that some were tried on.
+Findings transferEntries(const LearningRun& run, const PlayHooks&) {
+  Findings findings;
+  for (const Entry& entry : run.entries()) {
+    if (!entry.execution) continue;
+    findings.executions[entry.id] = run.disparities()->onRobot(entry);
+  }
+  return findings;
+}
+
 const std::vector<Check>& checks() {
   static const std::vector<Check> all = {
       {LearningPhase::kVerifying, isVerified, costOfVerification, verifyEntries},
       {LearningPhase::kValidating, isValidated, costOfValidation, validateEntries},
       {LearningPhase::kTryingWorlds, isTriedElsewhere, costOfOtherWorlds, tryOtherWorlds},
+      {LearningPhase::kTransferring, isTransferred, costOfTransfer, transferEntries},
   };
   return all;
 }

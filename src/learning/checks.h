@@ -20,7 +20,7 @@ struct Check {
 };
 
 /// The checks in the order in which they are made, which is that of their phases: verification in
-/// ODE, validation of what holds, worlds that learning does not use.
+/// ODE, validation of what holds, worlds that learning does not use, what a robot does of them.
 const std::vector<Check>& checks();
 
 /// What is left in worlds that learning does not use of the entries as they are now, told as

@@ -64,12 +64,13 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "Simulation engine: ODE, or its equations in reduced coordinates.", engineNames()),
       option("step_s", options.step_s, "s",
              "Step of the simulation; the command period must be a multiple of it.", 1e-4, 0.05),
-      option("length_scale", options.length_scale, "",
-             "novelty_threshold_m, novelty_threshold_min_m, heading_m_per_rad, cell_m and "
-             "cvt_radius_m are multiplied with it and spread_weight_rad_per_m is divided by it; 0: "
-             "by the reach of the robot's legs over "
-             "the 0.29 m that these are made for, and by less for feet that step less far for it.",
-             0.0, 1000.0),
+      option(
+          "length_scale", options.length_scale, "",
+          "novelty_threshold_m, novelty_threshold_min_m, heading_m_per_rad, cell_m and "
+          "cvt_radius_m are multiplied with it, spread_weight_rad_per_m and "
+          "disparity_weight_rad_per_m are divided by it; 0: by the reach of the robot's legs over "
+          "the 0.29 m that these are made for, and by less for feet that step less far for it.",
+          0.0, 1000.0),
       option(
           "verify_with_ode", options.verify_with_ode,
           "Replay entries of the engine reduced in ODE when learning is done, and leave out those "
@@ -97,7 +98,8 @@ std::vector<Option> declareOptions(LearnOptions& options) {
              "does its part; 0: never.",
              0.0, 86400.0)};
   for (auto& more : {declareOptions(options.evolution), declareOptions(options.map_elites),
-                     declareOptions(options.behavior), declareOptions(options.robustness)}) {
+                     declareOptions(options.behavior), declareOptions(options.robustness),
+                     declareOptions(options.transfer)}) {
     all.insert(all.end(), more.begin(), more.end());
   }
   return all;
@@ -111,8 +113,12 @@ LearnOptions suitedTo(const RobotDescription& robot, LearnOptions options) {
   options.map_elites.cell_m *= options.length_scale;
   options.map_elites.cvt_radius_m *= options.length_scale;
   options.robustness.spread_weight_rad_per_m /= options.length_scale;
+  options.transfer.disparity_weight_rad_per_m /= options.length_scale;
   options.body = bodyText(robot, bodyFromText(robot, options.body));
   if (options.body == toString(LegCondition::kIntact)) options.body.clear();
+  // Not the same without any: there is no simulated robot then.
+  std::string& robot_body = options.transfer.robot_body;
+  if (!robot_body.empty()) robot_body = bodyText(robot, bodyFromText(robot, robot_body));
   return options;
 }
 
@@ -132,7 +138,10 @@ std::map<std::string, std::string> resultOptions(const LearnOptions& options) {
     if (others.count(option.name) == 0) texts[option.name] = option.text();
   }
   // Files keep only what is there.
-  for (const char* name : {"from", "body"}) {
+  if (!copy.transfer.transferability) {
+    for (const Option& option : declareOptions(copy.transfer)) texts.erase(option.name);
+  }
+  for (const char* name : {"from", "body", "robot_body"}) {
     if (texts[name].empty()) texts.erase(name);
   }
   return texts;

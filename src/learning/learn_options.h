@@ -12,6 +12,7 @@
 #include "gait/behavior_options.h"
 #include "robot/robot_description.h"
 #include "simulation/world.h"
+#include "transferability/transfer_options.h"
 
 namespace hexapod {
 
@@ -42,6 +43,7 @@ struct LearnOptions {
   MapElitesOptions map_elites;
   BehaviorOptions behavior;
   RobustnessOptions robustness;
+  TransferOptions transfer;
 };
 
 /// The options under their names, bound to `options`, which must outlive them.

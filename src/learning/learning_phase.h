@@ -5,9 +5,16 @@
 namespace hexapod {
 
 /// What a learning session is doing.
-enum class LearningPhase { kEvolving, kVerifying, kValidating, kTryingWorlds, kDone };
+enum class LearningPhase {
+  kEvolving,
+  kVerifying,
+  kValidating,
+  kTryingWorlds,
+  kTransferring,
+  kDone
+};
 
-/// "evolving", "verifying", "validating", "trying_worlds", "done".
+/// "evolving", "verifying", "validating", "trying_worlds", "transferring", "done".
 std::string toString(LearningPhase phase);
 
 }  // namespace hexapod

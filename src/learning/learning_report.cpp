@@ -31,7 +31,9 @@ std::string describeBriefly(const LearningStatus& status) {
     text = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg, ";
   }
-  return text + std::to_string(status.entries) + " entries, " + timeLeft(status);
+  text += std::to_string(status.entries) + " entries, ";
+  if (status.trials > 0) text += std::to_string(status.trials) + " tried on the robot, ";
+  return text + timeLeft(status);
 }
 
 std::string describe(const LearningStatus& status) {
@@ -45,6 +47,10 @@ std::string describe(const LearningStatus& status) {
   }
   if (status.phase == LearningPhase::kTryingWorlds) {
     return "Trying other worlds: " + checked + " executions, " + timeLeft(status);
+  }
+  if (status.phase == LearningPhase::kTransferring) {
+    return "Transferring: what " + std::to_string(status.trials) +
+           " trials tell of where the robot takes the entries";
   }
   if (status.phase != LearningPhase::kDone) return describeEvolving(status);
   std::string line = "Done: " + std::to_string(status.counters.evaluations) + " evaluations, " +

@@ -4,9 +4,13 @@
 #include "gait/behavior.h"
 #include "repertoire/metrics.h"
 #include "robot/dimensions.h"
+#include "transferability/choose_trial.h"
 
 namespace hexapod {
 namespace {
+
+// What a radian counts as between behaviours, for the robot that length_scale is 1 of.
+constexpr double kRadian_m = 0.3;
 
 std::unique_ptr<Generational> algorithmOf(const RobotDescription& robot,
                                           const LearnOptions& options,
@@ -48,6 +52,9 @@ void LearningRun::goOn(const Resumed& resumed) {
   history_ = resumed.history;
   elapsed_s_ = resumed.checkpoint.elapsed_s;
   earlier_simulations_ = resumed.checkpoint.simulations;
+  trials_ = resumed.trials;
+  trial_attempts_ = resumed.checkpoint.trial_attempts;
+  learnFromTrials();
   phase_found_ = budgetIsLeft() ? LearningPhase::kEvolving : resumed.checkpoint.phase;
   if (phase_found_ != LearningPhase::kDone) return;
   if (options_.check_again || resumed.checks_differ) {
@@ -66,6 +73,43 @@ bool LearningRun::budgetIsLeft() const {
 
 void LearningRun::step() {
   advance(*algorithm_, evaluator_.evaluator(), options_.evaluations - counters().evaluations);
+}
+
+std::int64_t LearningRun::attemptsDue() const {
+  const TransferOptions& transfer = options_.transfer;
+  return counters().generations / transfer.trial_period * transfer.trials_at_once;
+}
+
+bool LearningRun::isTrialDue() const {
+  const TransferOptions& transfer = options_.transfer;
+  return transfer.transferability && static_cast<std::int64_t>(trials_.size()) < transfer.trials &&
+         trial_attempts_ < attemptsDue() && !learned().empty();
+}
+
+FeatureScales LearningRun::featureScales() const {
+  return {kRadian_m * options_.length_scale,
+          static_cast<std::size_t>(options_.behavior.gene_levels), evaluator_.symmetries()};
+}
+
+const Entry& LearningRun::entryToTry() const {
+  return learned()[farthestFromTried(learned(), trials_, featureScales())];
+}
+
+void LearningRun::addTrial(const std::optional<RobotTrial>& trial) {
+  if (!trial) {
+    trial_attempts_ = attemptsDue();
+    return;
+  }
+  ++trial_attempts_;
+  trials_.push_back(*trial);
+  learnFromTrials();
+}
+
+void LearningRun::learnFromTrials() {
+  if (trials_.empty()) return;
+  disparities_ = std::make_shared<DisparityModel>(
+      featureScales(), options_.transfer.disparity_weight_rad_per_m, trials_);
+  algorithm_->judgeBy(disparities_);
 }
 
 void LearningRun::recordHistory() {
@@ -116,11 +160,12 @@ Repertoire LearningRun::repertoire() const {
   repertoire.facts["simulations"] = std::to_string(simulations());
   repertoire.entries = entries();
   repertoire.history = history_;
+  repertoire.trials = trials_;
   return repertoire;
 }
 
 Checkpoint LearningRun::checkpoint(LearningPhase phase) const {
-  return {algorithm_->state(), phase, elapsed_s_, simulations(), dropped_};
+  return {algorithm_->state(), phase, elapsed_s_, simulations(), dropped_, trial_attempts_};
 }
 
 }  // namespace hexapod

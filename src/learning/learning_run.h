@@ -18,6 +18,7 @@
 #include "repertoire/repertoire.h"
 #include "robot/robot_description.h"
 #include "simulation/world.h"
+#include "transferability/disparity_model.h"
 
 namespace hexapod {
 
@@ -72,6 +73,18 @@ class LearningRun {
   std::vector<Entry> entries() const;
   std::size_t dropped() const { return dropped_.size(); }
 
+  /// Behaviours that were tried on the robot, the first one first.
+  const std::vector<RobotTrial>& trials() const { return trials_; }
+  /// What they tell; nothing before the first.
+  const std::shared_ptr<const DisparityModel>& disparities() const { return disparities_; }
+  /// Whether one is to be tried before the next generation.
+  bool isTrialDue() const;
+  /// The entry to try. There must be entries.
+  const Entry& entryToTry() const;
+  /// What became of it, by which evolution goes on. Nothing: it was not played; the others of its
+  /// series are not tried either.
+  void addTrial(const std::optional<RobotTrial>& trial);
+
   /// Adds what a check found.
   void add(const Findings& findings);
 
@@ -83,6 +96,9 @@ class LearningRun {
 
  private:
   void goOn(const Resumed& resumed);
+  std::int64_t attemptsDue() const;
+  FeatureScales featureScales() const;
+  void learnFromTrials();
 
   RobotDescription robot_;
   LearnOptions options_;
@@ -95,6 +111,9 @@ class LearningRun {
   std::map<std::int64_t, Execution> executions_;  // by id of the entry
   std::set<std::int64_t> dropped_;                // ids of entries
   std::map<std::string, std::string> facts_;
+  std::vector<RobotTrial> trials_;
+  std::int64_t trial_attempts_ = 0;
+  std::shared_ptr<const DisparityModel> disparities_;
   std::int64_t earlier_simulations_ = 0;
   double elapsed_s_ = 0.0;
 };

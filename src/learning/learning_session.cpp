@@ -1,14 +1,18 @@
 #include "learning/learning_session.h"
 
 #include <algorithm>
+#include <cmath>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
 
 #include "common/half_decade.h"
+#include "common/text.h"
 #include "learning/learning_report.h"
 #include "learning/resume.h"
 #include "learning/time_left.h"
+#include "simulation/body_text.h"
+#include "transferability/simulated_trial_robot.h"
 
 namespace hexapod {
 namespace {
@@ -52,12 +56,43 @@ const RunStart& decided(RunStart& start, const RobotDescription& robot, const Le
       "to true to replace it.");
 }
 
+std::unique_ptr<TrialRobot> simulatedRobot(const RobotDescription& robot,
+                                           const LearnOptions& options) {
+  const TransferOptions& transfer = options.transfer;
+  if (!transfer.transferability || transfer.robot_body.empty()) return nullptr;
+  return std::make_unique<SimulatedTrialRobot>(
+      robot, bodyFromText(robot, transfer.robot_body, nominalPhysics(robot, options)),
+      options.behavior);
+}
+
+TrialRobot* chosenRobot(const LearnOptions& options, TrialRobot* simulated, TrialRobot* real) {
+  TrialRobot* robot = simulated != nullptr ? simulated : real;
+  if (!options.transfer.transferability || robot != nullptr) return robot;
+  throw std::invalid_argument(
+      "'transferability' is true, and there is no robot to try behaviours on: give the body of a "
+      "simulated one, e.g. robot_body 'friction: 0.6', or learn beside a running session.");
+}
+
+/// "Trial 3: entry 1234 ended 31 mm, 2.1 deg from where it does in simulation."
+std::string describeTrial(const RobotTrial& trial, std::size_t number, std::int64_t entry_id) {
+  const std::string start =
+      "Trial " + std::to_string(number) + ": entry " + std::to_string(entry_id);
+  if (!trial.measured) return start + " fell.";
+  constexpr double kDegrees = 180.0 / M_PI;
+  return start + " ended " + fixedText(1e3 * distance(trial.simulated, *trial.measured), 0) +
+         " mm, " + fixedText(kDegrees * headingDistance(trial.simulated, *trial.measured), 1) +
+         " deg from where it does in simulation.";
+}
+
 }  // namespace
 
 LearningSession::LearningSession(const RobotDescription& robot, const LearnOptions& options,
-                                 Stopwatch clock, const DistributedEvaluator::Workers& workers)
+                                 Stopwatch clock, const DistributedEvaluator::Workers& workers,
+                                 TrialRobot* trial_robot)
     : options_(suitedTo(robot, withBudget(options))),
       clock_(std::move(clock)),
+      simulated_robot_(simulatedRobot(robot, options_)),
+      trial_robot_(chosenRobot(options_, simulated_robot_.get(), trial_robot)),
       start_(newRun(robot, options_)),
       checkpointer_(claimed(options_), options_.checkpoint_period_s, clock_),
       run_(robot, options_, decided(start_, robot, options_, checkpointer_), stop_, workers),
@@ -91,16 +126,18 @@ bool LearningSession::run(const Hooks& hooks) {
 }
 
 bool LearningSession::evolve(const Hooks& hooks) {
-  while (run_.budgetIsLeft()) {
+  for (;;) {
+    tryOnRobot(hooks);
+    lap_s_ = clock_();  // whatever the robot or the hook took was not spent evolving
+    if (stop_ || !run_.budgetIsLeft()) break;
     const std::int64_t before = run_.counters().evaluations;
     if (!evolveOneGeneration()) return false;
     const std::int64_t now = run_.counters().evaluations;
     if (now >= kEvaluationsPerHistoryRow && halfDecade(now) > before) addHeldOut();
     saveIfDue(hooks);
     if (hooks.progress) hooks.progress(*this);
-    lap_s_ = clock_();  // whatever the hook waited for was not spent evolving
-    if (stop_) return false;
   }
+  if (stop_) return false;
   const std::lock_guard<FairMutex> lock(mutex_);
   run_.recordHistory();
   return true;
@@ -118,6 +155,28 @@ bool LearningSession::evolveOneGeneration() {
   const std::int64_t now = run_.counters().evaluations;
   if (now / kEvaluationsPerHistoryRow > before / kEvaluationsPerHistoryRow) run_.recordHistory();
   return true;
+}
+
+void LearningSession::tryOnRobot(const Hooks& hooks) {
+  while (!stop_ && run_.isTrialDue()) tryOne(hooks);
+}
+
+void LearningSession::tryOne(const Hooks& hooks) {
+  const Entry entry = run_.entryToTry();
+  const TrialRobot::Result result = trial_robot_->play(entry.genome);
+  if (stop_ && !result.was_played) return;  // it was broken off, and will be tried again
+  std::optional<RobotTrial> trial;
+  if (result.was_played) {
+    trial = RobotTrial{run_.counters().evaluations, entry.genome, entry.end_pose, entry.cost,
+                       result.start_from_end};
+  }
+  {
+    const std::lock_guard<FairMutex> lock(mutex_);
+    run_.addTrial(trial);
+  }
+  save(hooks);
+  if (trial && hooks.tried) hooks.tried(describeTrial(*trial, run_.trials().size(), entry.id));
+  if (!trial && hooks.trial_failed) hooks.trial_failed(result.problem);
 }
 
 void LearningSession::lap() {
@@ -216,6 +275,7 @@ LearningStatus LearningSession::status() const {
   status.time_budget_s = options_.time_budget_s;
   status.entries = static_cast<std::int64_t>(run_.learned().size() - run_.dropped());
   status.dropped = static_cast<std::int64_t>(run_.dropped());
+  status.trials = static_cast<std::int64_t>(run_.trials().size());
   status.checked = checked_;
   status.to_check = to_check_;
   status.elapsed_s = run_.elapsed_s();

@@ -3,6 +3,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "learning/learning_run.h"
 #include "repertoire/repertoire.h"
 #include "robot/robot_description.h"
+#include "transferability/trial_robot.h"
 
 namespace hexapod {
 
@@ -29,6 +31,7 @@ struct LearningStatus {
   double time_budget_s = 0.0;      ///< 0: none
   std::int64_t entries = 0;        ///< those that were dropped excluded
   std::int64_t dropped = 0;        ///< entries left out, since they do not hold in ODE
+  std::int64_t trials = 0;         ///< behaviours tried on the robot
   std::int64_t checked = 0;        ///< behaviours that the check under way has played
   std::int64_t to_check = 0;       ///< and those it plays
   double elapsed_s = 0.0;          ///< spent evolving
@@ -57,6 +60,10 @@ class LearningSession {
     std::function<void(const LearningSession&)> progress;
     /// Called when a checkpoint could not be written; learning goes on, the next one is tried.
     std::function<void(const std::string& problem)> save_failed;
+    /// Called after each behaviour tried on the robot with what it did, as a sentence.
+    std::function<void(const std::string& sentence)> tried;
+    /// Called when one could not be tried, with the reason; learning goes on without it.
+    std::function<void(const std::string& problem)> trial_failed;
   };
 
   /// Claims repertoire_file (RepertoireWriter). Throws std::invalid_argument for options that do
@@ -64,8 +71,12 @@ class LearningSession {
   /// written or that holds a repertoire while neither `overwrite` nor `resume` is set.
   /// Evaluations are spread over this process and the workers, each of which runs workFor(); waits
   /// until they have introduced themselves. Checks are this process' alone.
+  /// With the option transferability behaviours are tried on `trial_robot`, which must outlive the
+  /// session, or on a simulated one where robot_body names its body; std::invalid_argument without
+  /// either.
   LearningSession(const RobotDescription& robot, const LearnOptions& options, Stopwatch clock,
-                  const DistributedEvaluator::Workers& workers = {});
+                  const DistributedEvaluator::Workers& workers = {},
+                  TrialRobot* trial_robot = nullptr);
 
   /// Evolves until the budget is used up, checks, saves. Returns true when all was done, false when
   /// requestStop() ended it early; the last whole generation is saved then. Either way
@@ -105,6 +116,8 @@ class LearningSession {
  private:
   bool evolve(const Hooks& hooks);
   bool evolveOneGeneration();
+  void tryOnRobot(const Hooks& hooks);
+  void tryOne(const Hooks& hooks);
   void addHeldOut();
   bool checkEntries(const Hooks& hooks);
   void enter(LearningPhase phase);
@@ -115,6 +128,8 @@ class LearningSession {
 
   LearnOptions options_;
   Stopwatch clock_;
+  std::unique_ptr<TrialRobot> simulated_robot_;  // in place of a real one, or none
+  TrialRobot* trial_robot_;
   std::atomic<bool> stop_{false};
   mutable FairMutex mutex_;  // whoever changes run_ or phase_, or uses checkpointer_, has it
   RunStart start_;

@@ -27,7 +27,7 @@ LearnOptions optionsFor(const RobotDescription& robot, const Repertoire& reperto
   options.evaluations = relearn.evaluations;
   options.time_budget_s = 0.0;
   options.threads = relearn.threads;
-  options.verify_with_ode = options.resimulate = false;
+  options.verify_with_ode = options.resimulate = options.transfer.transferability = false;
   return options;
 }
 

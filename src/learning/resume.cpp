@@ -90,6 +90,7 @@ Resumed resume(const RobotDescription& robot, const LearnOptions& options) {
             repertoire.history,
             executionsOf(repertoire.entries),
             repertoire.facts,
+            repertoire.trials,
             begunWith(repertoire),
             checksDiffer(repertoire.options, resultOptions(options))};
   } catch (const std::invalid_argument& error) {

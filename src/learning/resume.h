@@ -18,6 +18,7 @@ struct Resumed {
   std::vector<HistoryRow> history;
   std::map<std::int64_t, Execution> executions;  ///< by id, of the entries that have one
   std::map<std::string, std::string> facts;
+  std::vector<RobotTrial> trials;
   std::string from;            ///< what names the entries that it began with, or empty
   bool checks_differ = false;  ///< its entries were checked otherwise than is asked for now
 };

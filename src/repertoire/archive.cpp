@@ -35,10 +35,14 @@ OfferResult Archive::offer(const Entry& candidate, double novelty_m, double nove
   const auto nearest = index_.nearest(candidate.end_pose, 1);
   if (nearest.empty()) return {AddStatus::kRejected, std::nullopt};
   const std::size_t slot = nearest.front().slot;
-  if (candidate.cost >= entries_[slot].cost) {
+  if (candidate.price() >= entries_[slot].price()) {
     return {AddStatus::kRejected, std::nullopt};
   }
   return {AddStatus::kSwapped, replace(slot, candidate)};
+}
+
+void Archive::setDisparities(const std::function<double(const Entry&)>& disparity) {
+  for (Entry& entry : entries_) entry.disparity = disparity(entry);
 }
 
 void Archive::requireValid(const Entry& entry) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <optional>
 #include <unordered_set>
 #include <vector>
@@ -26,7 +27,7 @@ struct OfferResult {
 /// The unstructured archive of BR-Evolution (Cully & Mouret 2013, section 3 and Algorithm 1): the
 /// entries found so far, looked up by where they end.
 ///
-/// It never shrinks; a swap never worsens an orientation error; ids and genomes are unique in it.
+/// It never shrinks; a swap never worsens a price (Entry); ids and genomes are unique in it.
 /// Nearest means by the archive's metric, the paper's has end positions as learned alone, without
 /// their headings; of equally near entries the one with the lower id. Answers do not depend on the
 /// order of the entries. Const functions may be called from any thread.
@@ -38,10 +39,14 @@ class Archive {
   explicit Archive(const std::vector<Entry>& entries, const PoseMetric& metric = {});
 
   /// Algorithm 1: adds the candidate when its novelty is above the threshold; otherwise swaps it
-  /// with its nearest entry when its orientation error is smaller. Never both: an offer that adds
-  /// leaves the entry nearest to it alone, because their ends are apart. An empty archive has
-  /// nothing to swap with. Throws std::invalid_argument as the constructor does, genome excepted.
+  /// with its nearest entry when its price, in the paper the orientation error, is smaller. Never
+  /// both: an offer that adds leaves the entry nearest to it alone, because their ends are apart.
+  /// An empty archive has nothing to swap with. Throws std::invalid_argument as the constructor
+  /// does, genome excepted.
   OfferResult offer(const Entry& candidate, double novelty_m, double novelty_threshold_m);
+
+  /// What is known of a robot has changed.
+  void setDisparities(const std::function<double(const Entry&)>& disparity);
 
   const std::vector<Entry>& entries() const { return entries_; }
   std::size_t size() const { return entries_.size(); }

@@ -28,7 +28,10 @@ struct Entry {
   double cost = 0.0;                   ///< what it won its place with, see Outcome
   std::int64_t evaluation = 0;         ///< number of the candidate that gave this entry, from 1
   std::optional<Execution> execution;  ///< empty until validated
+  double disparity = 0.0;  ///< while learning only: what is known of a robot, see Transferability
 
+  /// What it competes with: lower is better.
+  double price() const { return cost + disparity; }
   /// Of the end pose as learned, 0 .. pi [rad].
   double orientationErrorRad() const { return orientationError(end_pose); }
   /// The pose a planner should expect: executed mean if validated, else as learned.

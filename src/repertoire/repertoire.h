@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "repertoire/entry.h"
+#include "repertoire/robot_trial.h"
 
 namespace hexapod {
 
@@ -42,6 +43,7 @@ struct Repertoire {
   std::map<std::string, std::string> facts;    ///< what else is known of it, by name, as text
   std::vector<Entry> entries;
   std::vector<HistoryRow> history;
+  std::vector<RobotTrial> trials;  ///< in the order in which they were made
 
   /// Levels of the entries' genes: what the option gene_levels says, the paper's five without it.
   /// Throws std::invalid_argument when it says no number 1 .. 256.

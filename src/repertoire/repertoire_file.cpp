@@ -97,6 +97,33 @@ std::vector<Entry> readEntries(SqliteDatabase& database, const GenomeShape& shap
   return entries;
 }
 
+RobotTrial trialAt(const SqliteStatement& row, const GenomeShape& shape) {
+  const std::string name = "a trial";
+  RobotTrial trial;
+  trial.evaluation = integerAt(row, 0, name);
+  trial.genome = genomeAt(row, 1, name);
+  trial.simulated = poseAt(row, 2, name);
+  trial.cost = realAt(row, 5, name);
+  if (!row.isNull(6)) trial.measured = poseAt(row, 6, name);
+  const std::string problem = problemOf(trial, shape);
+  if (!problem.empty()) fail("usable trials", "one, which " + problem);
+  return trial;
+}
+
+/// Files in which nothing was tried on a robot need not have the table.
+std::vector<RobotTrial> readTrials(SqliteDatabase& database, const GenomeShape& shape) {
+  std::vector<RobotTrial> trials;
+  if (database.integer("SELECT count(*) FROM sqlite_master WHERE type = 'table' AND name = "
+                       "'trials'") == 0) {
+    return trials;
+  }
+  requireCount(database, "trials");
+  SqliteStatement rows(database,
+                       std::string("SELECT ") + kTrialColumns + " FROM trials ORDER BY rowid");
+  while (rows.step()) trials.push_back(trialAt(rows, shape));
+  return trials;
+}
+
 std::optional<HeldOut> heldOutAt(const SqliteStatement& row, const std::string& name) {
   if (row.isNull(6)) return std::nullopt;
   return HeldOut{realAt(row, 6, name), realAt(row, 7, name), realAt(row, 8, name)};
@@ -141,9 +168,13 @@ StoredRepertoire read(SqliteDatabase& database, const std::string& path) {
   Repertoire& repertoire = stored.repertoire;
   repertoire.history = readHistory(database);
   repertoire.options = withPrefix(meta, kOptionPrefix);
-  repertoire.entries =
-      readEntries(database, {static_cast<std::size_t>(genes), repertoire.geneLevels()});
+  const GenomeShape shape{static_cast<std::size_t>(genes), repertoire.geneLevels()};
+  repertoire.entries = readEntries(database, shape);
+  repertoire.trials = readTrials(database, shape);
   requireDigest(meta, "digest", "entries", digestOf(repertoire.entries));
+  if (!repertoire.trials.empty() || meta.count(kTrialDigestKey) > 0) {
+    requireDigest(meta, kTrialDigestKey, "trials", digestOf(repertoire.trials));
+  }
   requireDigest(meta, kFileDigestKey, "meta, history and state",
                 digestOf(meta, repertoire.history, stored.learner_state));
   repertoire.run_id = metaText(meta, "run_id");

@@ -16,10 +16,13 @@ namespace hexapod {
 ///            until the entry was validated
 ///   meta     key and value as text: seed, run_id, robot_id, generation, evaluations,
 ///            behavior_duration_s, joint_names (comma separated), gene_count, format_version,
-///            package_version, option.<name>, fact.<name>; digest over the entries and file_digest
-///            over the rest
+///            package_version, option.<name>, fact.<name>; digest over the entries, trial_digest
+///            over the trials where there are any, and file_digest over the rest
 ///   history  a row about every 1000 evaluations; the held_out_ columns are NULL but now and then
 ///            and at the end
+///   trials   controllers tried on the robot, in their order: evaluation, genome, where they end in
+///            simulation and where on the robot, measured_ columns NULL where it fell; the table
+///            may be missing
 ///   state, population, archive
 ///            what the learner needs to go on: values by key, a row for each individual that it
 ///            breeds from and for each entry of its archive, in its order; dropped: not in entries

@@ -29,6 +29,20 @@ void add(const Entry& entry, Digest& digest) {
   digest.add(static_cast<std::int64_t>(entry.execution->falls));
 }
 
+std::string problemOf(const Genome& genome, const GenomeShape& shape) {
+  if (genome.size() != shape.genes) {
+    return "has " + std::to_string(genome.size()) + " genes where the others have " +
+           std::to_string(shape.genes);
+  }
+  for (const std::uint8_t level : genome) {
+    if (level >= shape.levels) {
+      return "has a gene of level " + std::to_string(level) + " where 0 to " +
+             std::to_string(shape.levels - 1) + " exist";
+    }
+  }
+  return "";
+}
+
 bool isSpread(double value) { return std::isfinite(value) && value >= 0.0; }
 
 std::string problemOf(const Execution& execution) {
@@ -53,6 +67,19 @@ std::string digestOf(const std::vector<Entry>& entries) {
             [](const Entry* a, const Entry* b) { return a->id < b->id; });
   Digest digest;
   for (const Entry* entry : order) add(*entry, digest);
+  return digest.text();
+}
+
+std::string digestOf(const std::vector<RobotTrial>& trials) {
+  Digest digest;
+  for (const RobotTrial& trial : trials) {
+    digest.add(trial.evaluation);
+    digest.add(std::string(trial.genome.begin(), trial.genome.end()));
+    add(trial.simulated, digest);
+    digest.add(trial.cost);
+    digest.add(static_cast<std::int64_t>(trial.measured.has_value()));
+    if (trial.measured) add(*trial.measured, digest);
+  }
   return digest.text();
 }
 
@@ -84,21 +111,22 @@ std::string digestOf(const std::map<std::string, std::string>& meta,
 }
 
 std::string problemOf(const Entry& entry, const GenomeShape& shape) {
-  if (entry.genome.size() != shape.genes) {
-    return "has " + std::to_string(entry.genome.size()) + " genes where the others have " +
-           std::to_string(shape.genes);
-  }
-  for (const std::uint8_t level : entry.genome) {
-    if (level >= shape.levels) {
-      return "has a gene of level " + std::to_string(level) + " where 0 to " +
-             std::to_string(shape.levels - 1) + " exist";
-    }
-  }
+  const std::string problem = problemOf(entry.genome, shape);
+  if (!problem.empty()) return problem;
   if (!isFinite(entry.end_pose)) return "has an end pose that is not finite";
   if (!isSpread(entry.cost)) {
     return "has a cost of " + exactText(entry.cost);
   }
   return entry.execution ? problemOf(*entry.execution) : "";
+}
+
+std::string problemOf(const RobotTrial& trial, const GenomeShape& shape) {
+  const std::string problem = problemOf(trial.genome, shape);
+  if (!problem.empty()) return problem;
+  const bool is_finite =
+      isFinite(trial.simulated) && (!trial.measured || isFinite(*trial.measured));
+  if (!is_finite) return "has an end pose that is not finite";
+  return isSpread(trial.cost) ? "" : "has a cost of " + exactText(trial.cost);
 }
 
 }  // namespace hexapod

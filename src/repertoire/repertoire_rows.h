@@ -26,6 +26,10 @@ constexpr const char* kHistoryColumns =
     "elapsed_s, held_out_sparseness_m, held_out_median_orientation_error_rad, "
     "held_out_median_shift_m";
 
+/// Columns of the table trials, likewise.
+constexpr const char* kTrialColumns =
+    "evaluation, genome, x_m, y_m, yaw_rad, cost, measured_x_m, measured_y_m, measured_yaw_rad";
+
 /// Key of the digest over everything that digestOf(entries) does not cover.
 constexpr const char* kFileDigestKey = "file_digest";
 constexpr const char* kOptionPrefix = "option.";
@@ -35,6 +39,10 @@ constexpr const char* kFactPrefix = "fact.";
 std::string digestOf(const std::map<std::string, std::string>& meta,
                      const std::vector<HistoryRow>& history, const LearnerState& state);
 
+/// Key of the digest over the trials, where there are any, and that digest.
+constexpr const char* kTrialDigestKey = "trial_digest";
+std::string digestOf(const std::vector<RobotTrial>& trials);
+
 /// What the genomes of a repertoire have in common.
 struct GenomeShape {
   std::size_t genes = 0;
@@ -43,5 +51,8 @@ struct GenomeShape {
 
 /// What is wrong with an entry: "" or "has ...". Shared, so that what is saved can be loaded.
 std::string problemOf(const Entry& entry, const GenomeShape& shape);
+
+/// The same of a trial.
+std::string problemOf(const RobotTrial& trial, const GenomeShape& shape);
 
 }  // namespace hexapod

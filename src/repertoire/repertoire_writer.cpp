@@ -28,10 +28,15 @@ constexpr const char* kTables =
     "median_orientation_error_rad REAL NOT NULL, max_reach_m REAL NOT NULL, "
     "elapsed_s REAL NOT NULL, held_out_sparseness_m REAL, "
     "held_out_median_orientation_error_rad REAL, held_out_median_shift_m REAL);"
-    "DELETE FROM entries; DELETE FROM meta; DELETE FROM history;";
+    "CREATE TABLE IF NOT EXISTS trials("
+    "evaluation INTEGER NOT NULL, genome TEXT NOT NULL, x_m REAL NOT NULL, y_m REAL NOT NULL, "
+    "yaw_rad REAL NOT NULL, cost REAL NOT NULL, measured_x_m REAL, measured_y_m REAL, "
+    "measured_yaw_rad REAL);"
+    "DELETE FROM entries; DELETE FROM meta; DELETE FROM history; DELETE FROM trials;";
 
 std::size_t geneCount(const Repertoire& repertoire) {
-  return repertoire.entries.empty() ? 0 : repertoire.entries.front().genome.size();
+  if (!repertoire.entries.empty()) return repertoire.entries.front().genome.size();
+  return repertoire.trials.empty() ? 0 : repertoire.trials.front().genome.size();
 }
 
 void requireSavable(const Repertoire& repertoire) {
@@ -47,6 +52,12 @@ void requireSavable(const Repertoire& repertoire) {
     if (problem.empty()) continue;
     throw std::invalid_argument("The repertoire cannot be saved: entry " +
                                 std::to_string(entry.id) + " " + problem + ".");
+  }
+  for (const RobotTrial& trial : repertoire.trials) {
+    const std::string problem = problemOf(trial, shape);
+    if (problem.empty()) continue;
+    throw std::invalid_argument("The repertoire cannot be saved: the trial of " +
+                                toString(trial.genome) + " " + problem + ".");
   }
 }
 
@@ -71,6 +82,7 @@ std::map<std::string, std::string> metaOf(const Repertoire& repertoire,
   };
   for (const auto& [name, value] : repertoire.options) meta[kOptionPrefix + name] = value;
   for (const auto& [name, value] : repertoire.facts) meta[kFactPrefix + name] = value;
+  if (!repertoire.trials.empty()) meta[kTrialDigestKey] = digestOf(repertoire.trials);
   meta[kFileDigestKey] = digestOf(meta, repertoire.history, learner_state);
   return meta;
 }
@@ -129,6 +141,27 @@ void insertHistory(const std::vector<HistoryRow>& history, SqliteDatabase& datab
     insert.bind(5, row.max_reach_m);
     insert.bind(6, row.elapsed_s);
     bindHeldOut(row, insert);
+    insert.run();
+  }
+}
+
+void insertTrials(const std::vector<RobotTrial>& trials, SqliteDatabase& database) {
+  SqliteStatement insert(database, std::string("INSERT INTO trials(") + kTrialColumns +
+                                       ") VALUES (?,?,?,?,?,?,?,?,?)");
+  for (const RobotTrial& trial : trials) {
+    insert.bind(1, trial.evaluation);
+    insert.bind(2, toString(trial.genome));
+    insert.bind(3, trial.simulated.x_m);
+    insert.bind(4, trial.simulated.y_m);
+    insert.bind(5, trial.simulated.yaw_rad);
+    insert.bind(6, trial.cost);
+    if (trial.measured) {
+      insert.bind(7, trial.measured->x_m);
+      insert.bind(8, trial.measured->y_m);
+      insert.bind(9, trial.measured->yaw_rad);
+    } else {
+      for (int parameter = 7; parameter <= 9; ++parameter) insert.bindNull(parameter);
+    }
     insert.run();
   }
 }
@@ -251,6 +284,7 @@ void RepertoireWriter::write(const Repertoire& repertoire, const LearnerState& l
   const std::map<std::string, std::string> meta = metaOf(repertoire, learner_state);
   insertMeta(meta, *database_);
   insertHistory(repertoire.history, *database_);
+  insertTrials(repertoire.trials, *database_);
   insertLearnerState(learner_state, *database_);
   transaction.commit();
   stamp_ = stampOf(file_);

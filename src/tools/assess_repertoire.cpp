@@ -14,6 +14,7 @@
 #include "robot/dimensions.h"
 #include "robot/load_robot.h"
 #include "self_model/learned_world.h"
+#include "simulation/body_text.h"
 #include "tools/command_line.h"
 #include "tools/package_files.h"
 
@@ -34,6 +35,7 @@ struct AssessOptions {
   SteadinessOptions steadiness;
   std::int64_t seed = 1;
   std::int64_t threads = 0;
+  std::string body;
   std::string engine = "reduced";
   std::string urdf = packageFolder() + "/urdf/hexapod.urdf";
   std::string robot_config = packageFolder() + "/config/hexapod.yaml";
@@ -49,6 +51,9 @@ std::vector<Option> declareOptions(AssessOptions& options) {
              10000000),
       option("seed", options.seed, "Seed of their order.", 0, 2147483647),
       option("threads", options.threads, "Threads that simulate; 0: all cores.", 0, 1024),
+      option("body", options.body,
+             "Also play each from the stand with this body, as in 'friction: 0.6, gain: 0.7'; "
+             "empty: none."),
       option("engine", options.engine, "Simulation engine.", engineNames()),
       option("urdf", options.urdf, "Robot description."),
       option("robot_config", options.robot_config, "What the robot needs beside its URDF.")};
@@ -138,7 +143,7 @@ void printChains(const std::shared_ptr<WorldPool>& pool, const BehaviorOptions& 
 }
 
 void printWorlds(const std::shared_ptr<WorldPool>& pool, const BehaviorOptions& behavior,
-                 const std::vector<Entry>& entries) {
+                 const std::vector<Entry>& entries, const std::string& body) {
   std::printf(
       "\nEach from the stand:\n\n| world | entries | sparseness [cm] | median error [deg] | reach "
       "[m] | median shift [mm] | p90 [mm] | failed |\n|---|---|---|---|---|---|---|---|\n");
@@ -146,8 +151,9 @@ void printWorlds(const std::shared_ptr<WorldPool>& pool, const BehaviorOptions& 
   printRow("as expected",
            measure(expectedEndings(entries), RegionOfInterest().scaledBy(lengthScale(robot))),
            "     - |      - |     -");
-  for (const TrialResult& trial :
-       resimulate(pool, behavior, entries, heldOutTrials(robot, pool->physics()))) {
+  std::vector<Trial> trials = heldOutTrials(robot, pool->physics());
+  if (!body.empty()) trials.push_back({body, bodyFromText(robot, body, pool->physics())});
+  for (const TrialResult& trial : resimulate(pool, behavior, entries, trials)) {
     printRow(trial.name, trial.metrics, shiftText(trial));
   }
 }
@@ -169,7 +175,7 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
   // Without the return to the neutral pose there is nothing to chain.
   const bool chained = !usable.empty() && learned.behavior.end_pose != EndPose::kAfterGait;
   if (chained) printChains(pool, learned.behavior, usable, options);
-  printWorlds(pool, learned.behavior, usable);
+  printWorlds(pool, learned.behavior, usable, options.body);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ void sortFronts(benchmark::State& state) {
   Random random(1);
   std::vector<Objectives> objectives;
   for (int i = 0; i < 200; ++i) {
-    objectives.push_back({random.uniform(), static_cast<double>(random.below(16))});
+    objectives.push_back({random.uniform(), static_cast<double>(random.below(16)), 0.0});
   }
   for (auto _ : state) benchmark::DoNotOptimize(nonDominatedFronts(objectives));
 }

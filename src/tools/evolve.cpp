@@ -79,6 +79,7 @@ int learn(const EvolveOptions& options, SignalWatch& signals, Ranks& ranks) {
   LearningSession::Hooks hooks;
   hooks.progress = [&](const LearningSession& running) { display.show(running.status(), now()); };
   hooks.save_failed = [&](const std::string& problem) { display.complain(problem, now()); };
+  hooks.tried = [&](const std::string& sentence) { display.say(sentence); };
   const bool finished = session.run(hooks);
   sayUnlessEmpty(display, session.verificationRemark());
   const std::string problem = retrySaving(session);

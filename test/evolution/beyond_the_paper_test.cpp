@@ -227,6 +227,49 @@ TEST(ThirdLooks, DecideWhatEntersTheArchiveAndAreSparedThoseThatTheSecondOnesRul
   EXPECT_LT(evaluator.counts[3], evaluator.counts[2]);
 }
 
+/// A robot on which the first gene's level decides how far simulation is off.
+class GeneDisparity : public Transferability {
+ public:
+  double disparity(const Genome& genome, const Outcome&) const override {
+    return 0.3 * static_cast<double>(genome[1]);
+  }
+};
+
+double meanLevel(const std::vector<Entry>& entries) {
+  double sum = 0.0;
+  for (const Entry& entry : entries) sum += static_cast<double>(entry.genome[1]);
+  return sum / static_cast<double>(entries.size());
+}
+
+TEST(Transferability, GivesControllersThatDoOnTheRobotWhatTheyDoInSimulation) {
+  AnalyticEvaluator evaluator(7, kGenes);
+  BrEvolution plain({}, kGenes, Random(4)), judged({}, kGenes, Random(4));
+  judged.judgeBy(std::make_shared<GeneDisparity>());
+  for (int generation = 0; generation < 40; ++generation) {
+    advance(plain, evaluator);
+    advance(judged, evaluator);
+  }
+  EXPECT_LT(meanLevel(judged.entries()), 0.75 * meanLevel(plain.entries()));
+  EXPECT_NEAR(metricsOf(judged).sparseness_m, metricsOf(plain).sparseness_m, 0.01);
+}
+
+TEST(Transferability, JudgesWhatThereIsAnewAndIsNoPartOfTheState) {
+  AnalyticEvaluator evaluator(7, kGenes);
+  const auto judge = std::make_shared<GeneDisparity>();
+  BrEvolution undisturbed({}, kGenes, Random(4));
+  for (int generation = 0; generation < 5; ++generation) advance(undisturbed, evaluator);
+  BrEvolution resumed({}, kGenes, undisturbed.state());
+  for (BrEvolution* evolution : {&undisturbed, &resumed}) {
+    evolution->judgeBy(judge);
+    for (const Entry& entry : evolution->entries()) {
+      EXPECT_EQ(entry.disparity, judge->disparity(entry.genome, {}));
+    }
+    for (int generation = 0; generation < 5; ++generation) advance(*evolution, evaluator);
+  }
+  EXPECT_EQ(digestOf(toLearnerState(resumed.state())),
+            digestOf(toLearnerState(undisturbed.state())));
+}
+
 /// Of all but the order of the archive, which plays no part.
 std::string digestOfAnyOrder(EvolutionState state) {
   std::sort(state.archive.begin(), state.archive.end(),

@@ -41,7 +41,7 @@ Objectives byDefinition(const Individual& self, const std::vector<Entry>& archiv
   }
   std::sort(others.begin(), others.end());
   others.resize(std::min(others.size(), neighbours));
-  Objectives result{0.0, 0.0};
+  Objectives result{0.0, 0.0, 0.0};
   for (const auto& [squared_m2, id, error_rad] : others) {
     result[0] += std::sqrt(squared_m2);
     result[1] += error_rad > self.outcome.cost ? 1.0 : 0.0;

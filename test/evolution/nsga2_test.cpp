@@ -11,12 +11,15 @@ namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-/// On a small lattice, so that equal objectives and equal points abound.
-std::vector<Objectives> latticeObjectives(std::size_t count, std::uint64_t levels, Random& random) {
-  std::vector<Objectives> objectives;
-  for (std::size_t i = 0; i < count; ++i) {
-    objectives.push_back(
-        {static_cast<double>(random.below(levels)), static_cast<double>(random.below(levels))});
+/// On a small lattice, so that equal objectives and equal points abound; with `axes` 2 the third
+/// objective plays no part.
+std::vector<Objectives> latticeObjectives(std::size_t count, std::uint64_t levels, Random& random,
+                                          std::size_t axes = 3) {
+  std::vector<Objectives> objectives(count, {0.0, 0.0, 0.0});
+  for (Objectives& point : objectives) {
+    for (std::size_t axis = 0; axis < axes; ++axis) {
+      point[axis] = static_cast<double>(random.below(levels));
+    }
   }
   return objectives;
 }
@@ -44,8 +47,8 @@ TEST(NonDominatedFronts, AreThoseOfTheDefinition) {
   Random random(1);
   for (const std::uint64_t levels : {1U, 2U, 5U, 15U, 1000U}) {
     for (const std::size_t count : {0U, 1U, 2U, 15U, 200U}) {
-      for (int trial = 0; trial < 5; ++trial) {
-        const auto objectives = latticeObjectives(count, levels, random);
+      for (std::size_t trial = 0; trial < 6; ++trial) {
+        const auto objectives = latticeObjectives(count, levels, random, 2 + trial % 2);
         ASSERT_EQ(nonDominatedFronts(objectives), frontsByDefinition(objectives));
       }
     }
@@ -62,6 +65,8 @@ TEST(Dominates, NeedsOneStrictlyBetterObjectiveAndNoneWorse) {
   EXPECT_TRUE(dominates({1.0, 1.0}, {1.0, 0.0}));
   EXPECT_FALSE(dominates({1.0, 1.0}, {1.0, 1.0}));
   EXPECT_FALSE(dominates({2.0, 0.0}, {1.0, 1.0}));
+  EXPECT_TRUE(dominates({1.0, 1.0, 0.0}, {1.0, 1.0, -1.0}));
+  EXPECT_FALSE(dominates({2.0, 2.0, -1.0}, {1.0, 1.0, 0.0}));
 }
 
 TEST(CrowdingDistances, AreTheNormalisedGapsAroundEachMember) {
@@ -74,11 +79,11 @@ TEST(CrowdingDistances, AreTheNormalisedGapsAroundEachMember) {
   EXPECT_DOUBLE_EQ(distances[2], (4.0 - 0.0) / 10.0 + (8.0 - 5.0) / 8.0);
 }
 
-/// The sum over both objectives of the gap between the next smaller and the next larger value over
+/// The sum over all objectives of the gap between the next smaller and the next larger value over
 /// the range, infinite where there is none; all values differ.
 double crowdingByBruteForce(const std::vector<Objectives>& objectives, std::size_t member) {
   double sum = 0.0;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
+  for (std::size_t axis = 0; axis < 3; ++axis) {
     const double own = objectives[member][axis];
     double below = -1.0, above = 2.0, least = 2.0, largest = -1.0;
     for (const Objectives& other : objectives) {
@@ -99,7 +104,7 @@ TEST(CrowdingDistances, AreThoseOfBruteForce) {
   std::vector<Objectives> objectives;
   Front front;
   for (std::size_t i = 0; i < 60; ++i) {
-    objectives.push_back({random.uniform(), random.uniform()});
+    objectives.push_back({random.uniform(), random.uniform(), random.uniform()});
     front.push_back(i);
   }
   const std::vector<double> distances = crowdingDistances(objectives, front);

@@ -32,6 +32,18 @@ LearningStatus validating(std::int64_t validated) {
   return status;
 }
 
+TEST(LearningReport, TellsOfTrialsOnTheRobotWhereThereAreAny) {
+  LearningStatus status = halfDone();
+  status.trials = 12;
+  EXPECT_EQ(describe(status),
+            "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 12 tried on "
+            "the robot, 4 s left");
+  status.phase = LearningPhase::kTransferring;
+  EXPECT_EQ(describe(status),
+            "Transferring: what 12 trials tell of where the robot takes the entries");
+  EXPECT_EQ(describeBriefly(status), describe(status));
+}
+
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
             "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 4 s left");

@@ -17,6 +17,7 @@ STRANGERS = [
                     "execution"}),
     ("repertoire", {"evolution", "simulation", "evaluation", "planning", "execution"}),
     ("evolution", {"simulation", "evaluation", "planning", "execution"}),
+    ("transferability", {"evaluation", "learning", "study", "planning", "self_model", "execution"}),
     ("evaluation", {"learning", "study", "planning", "execution"}),
     ("learning", {"study"}),
     ("planning", {"evolution", "simulation", "evaluation", "learning", "study", "self_model"}),

@@ -111,6 +111,16 @@ TEST(Archive, NeverShrinksAndNeverWorsensWhateverIsOffered) {
   EXPECT_GT(archive.size(), 100U);
 }
 
+TEST(Archive, ComparesByWhatIsKnownOfARobotToo) {
+  Archive archive({entryAt(1, 0.0, 0.0, 0.1)});
+  Entry better = entryAt(2, 0.01, 0.0, 0.05);
+  better.disparity = 0.06;  // 0.05 + 0.06 > 0.1
+  EXPECT_EQ(archive.offer(better, kKnown, kThreshold).status, AddStatus::kRejected);
+  archive.setDisparities([](const Entry& entry) { return 0.2 * static_cast<double>(entry.id); });
+  EXPECT_EQ(archive.entries()[0].disparity, 0.2);
+  EXPECT_EQ(archive.offer(better, kKnown, kThreshold).status, AddStatus::kSwapped);
+}
+
 TEST(Archive, RefusesEntriesItCannotKeepApartOrPlace) {
   const Entry first = entryAt(1, 0.0, 0.0, 0.1);
   Entry same_id = entryAt(2, 0.1, 0.0, 0.1);

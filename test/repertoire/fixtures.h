@@ -87,6 +87,9 @@ inline Repertoire sampleRepertoire(std::size_t entries = 40) {
   repertoire.entries = randomEntries(entries, random);
   repertoire.history = {{100, 20, 0.05, 0.4, 0.3, 1.25, HeldOut{0.06, 0.5, 0.01}},
                         {1200, 40, 0.1 + 0.2, 1.0 / 3.0, 0.7, 9.0, std::nullopt}};
+  repertoire.trials = {
+      {100, randomGenome(random), {0.3, 0.1, 0.2}, 0.25, Pose2{0.2, 0.1, 1.0 / 3.0}},
+      {200, randomGenome(random), {0.1 + 0.2, -0.1, 0.0}, 0.5, std::nullopt}};
   return repertoire;
 }
 

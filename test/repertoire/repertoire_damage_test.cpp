@@ -192,6 +192,7 @@ TEST_F(DamagedFile, EditedMetaHistoryOrStateDoesNotMatchItsDigest) {
         "INSERT INTO state VALUES ('random', x'00')",
         "INSERT INTO population VALUES (1, 1, '01', 'fell', 0.0, 0.0, 0.0, 0.0, 0, 0.0, 1)",
         "INSERT INTO archive VALUES (1, '01', 0.0, 0.0, 0.0, 0.0, 1, 0)",
+        "UPDATE trials SET measured_x_m = 0.25 WHERE evaluation = 100", "DROP TABLE trials",
         "DELETE FROM meta WHERE key = 'option.seed'"}) {
     writeContent(file_, whole);
     edit(sql);
@@ -213,6 +214,22 @@ TEST_F(DamagedFile, NothingThatCouldNotBeLoadedIsSaved) {
   spoilt([](Entry& entry) { entry.end_pose.x_m = std::numeric_limits<double>::quiet_NaN(); });
   spoilt([](Entry& entry) { entry.cost = -1.0; });
   spoilt([](Entry& entry) { entry.execution = Execution{{0, 0, 0}, -1.0, 0.0, 2, 0}; });
+  EXPECT_EQ(complaint(), "");
+}
+
+TEST_F(DamagedFile, NoTrialThatCouldNotBeLoadedIsSaved) {
+  const auto spoilt = [&](auto spoil) {
+    Repertoire repertoire = sampleRepertoire();
+    spoil(repertoire.trials[1]);
+    const std::string sentence = complaintOf([&] { saveRepertoire(file_, repertoire); });
+    EXPECT_NE(sentence.find("trial"), std::string::npos) << sentence;
+  };
+  spoilt([](RobotTrial& trial) { trial.genome[3] = 5; });
+  spoilt([](RobotTrial& trial) { trial.genome.pop_back(); });
+  spoilt([](RobotTrial& trial) { trial.cost = -1.0; });
+  spoilt([](RobotTrial& trial) {
+    trial.measured = Pose2{std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0};
+  });
   EXPECT_EQ(complaint(), "");
 }
 

@@ -60,6 +60,15 @@ void expectEqual(const Repertoire& a, const Repertoire& b) {
               b.history[i].held_out->median_orientation_error_rad);
     EXPECT_EQ(a.history[i].held_out->median_shift_m, b.history[i].held_out->median_shift_m);
   }
+  ASSERT_EQ(a.trials.size(), b.trials.size());
+  for (std::size_t i = 0; i < a.trials.size(); ++i) {
+    EXPECT_EQ(a.trials[i].evaluation, b.trials[i].evaluation);
+    EXPECT_EQ(a.trials[i].genome, b.trials[i].genome);
+    expectEqual(a.trials[i].simulated, b.trials[i].simulated);
+    EXPECT_EQ(a.trials[i].cost, b.trials[i].cost);
+    ASSERT_EQ(a.trials[i].measured.has_value(), b.trials[i].measured.has_value());
+    if (a.trials[i].measured) expectEqual(*a.trials[i].measured, *b.trials[i].measured);
+  }
 }
 
 /// Something of everything a learner keeps; the archive is not in the order of ids.
@@ -130,7 +139,7 @@ TEST(RepertoireFile, RowsDoNotDependOnTheOrderOfTheEntriesNorOnTheLocale) {
   expectEqual(loadRepertoire(folder.file("other.db")), sampleRepertoire());
   SqliteDatabase database(folder.file("plain.db"), SqliteDatabase::Mode::kRead);
   database.execute("ATTACH '" + folder.file("other.db") + "' AS other");
-  for (const std::string table : {"entries", "meta", "history"}) {
+  for (const std::string table : {"entries", "meta", "history", "trials"}) {
     EXPECT_EQ(database.integer("SELECT count(*) FROM (SELECT * FROM main." + table +
                                " EXCEPT SELECT * FROM other." + table + ")"),
               0)
@@ -160,6 +169,15 @@ TEST(RepertoireFile, OfVersion1IsReadWithItsOrientationErrorAsCost) {
       "falls FROM entries; DROP TABLE entries; ALTER TABLE old RENAME TO entries; "
       "PRAGMA user_version = 1");
   expectEqual(loadRepertoire(folder.file("a.db")), sampleRepertoire());
+}
+
+TEST(RepertoireFile, OfAProgramThatKnewNoTrialsHasNone) {
+  const TemporaryFolder folder;
+  Repertoire repertoire = sampleRepertoire();
+  repertoire.trials.clear();
+  saveRepertoire(folder.file("a.db"), repertoire);
+  SqliteDatabase(folder.file("a.db"), SqliteDatabase::Mode::kWrite).execute("DROP TABLE trials");
+  expectEqual(loadRepertoire(folder.file("a.db")), repertoire);
 }
 
 TEST(RepertoireFile, CanBeReadWithOrdinaryTools) {

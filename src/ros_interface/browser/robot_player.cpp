@@ -62,33 +62,9 @@ void RobotPlayer::work() {
 
 void RobotPlayer::play(const Order& order) {
   const PoseSource::Stop stop = [this] { return leaves(); };
-  Report report{order.entry, {}, {}, ""};
-  const BehaviorPlayer::Result ready = executor_.awaitReady(order.stops, stop);
-  if (ready.end == BehaviorPlayer::End::kPlayed) {
-    const PoseReading before = poses_.restPose(ready.finished + settle_, stop);
-    report.start = before.pose;
-    report.problem = before.problem;
-  } else {
-    report.problem = ready.message;
-  }
-  if (!report.start) {
-    tell_(report);
-    return;
-  }
-  tell_(report);
-  const BehaviorPlayer::Result result =
-      executor_.play({order.entry, order.run_id, order.stops, stop});
-  if (result.end == BehaviorPlayer::End::kPlayed) {
-    const PoseReading after = poses_.restPose(result.finished + settle_, stop);
-    report.reached = after.pose;
-    report.problem = after.problem;
-    if (result.skipped > 0) {
-      report.problem = std::to_string(result.skipped) + " of its commands were skipped.";
-    }
-  } else {
-    report.problem = result.message.empty() ? "It was broken off." : result.message;
-  }
-  tell_(report);
+  const auto tell = [&](const MeasuredBehavior& measured) { tell_({measured, order.entry}); };
+  tell(playMeasured({executor_, poses_, settle_}, {order.entry, order.run_id, order.stops, stop},
+                    tell));
 }
 
 }  // namespace hexapod

@@ -11,8 +11,7 @@
 
 #include "repertoire/entry.h"
 #include "ros_interface/common/clock.h"
-#include "ros_interface/robot_client/behavior_player.h"
-#include "ros_interface/robot_client/pose_source.h"
+#include "ros_interface/robot_client/measured_behavior.h"
 
 namespace hexapod {
 
@@ -21,11 +20,8 @@ namespace hexapod {
 class RobotPlayer {
  public:
   /// What became of an order.
-  struct Report {
+  struct Report : MeasuredBehavior {
     Entry entry;
-    std::optional<Pose2> start;    ///< base_footprint before it in the global frame, where known
-    std::optional<Pose2> reached;  ///< after it; none when it was not played to its end
-    std::string problem;           ///< a sentence, empty when it was
   };
   using Tell = std::function<void(const Report&)>;
 

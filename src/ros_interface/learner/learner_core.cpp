@@ -31,13 +31,14 @@ bool LearnerCore::Now::isDue(std::int64_t now_ns, double period_s) {
 
 LearnerCore::LearnerCore(const RobotDescription& robot, const LearnerOptions& options,
                          const Clock& clock, LearnerAudience& audience,
-                         std::function<bool()> leaves)
+                         std::function<bool()> leaves, TrialRobot* trial_robot)
     : options_(options),
       clock_(clock),
       audience_(audience),
       leaves_(std::move(leaves)),
-      session_(robot, options.learn,
-               [&clock] { return 1e-9 * static_cast<double>(clock.steadyNow_ns()); }),
+      session_(
+          robot, options.learn,
+          [&clock] { return 1e-9 * static_cast<double>(clock.steadyNow_ns()); }, {}, trial_robot),
       display_(std::cout, ProgressDisplay::forStandardOutput(kLogPeriod_s),
                [](const std::string& line) { ROS_INFO_STREAM(line); }),
       run_id_(session_.repertoire().run_id),
@@ -67,6 +68,12 @@ int LearnerCore::run() {
   hooks.progress = [this](const LearningSession&) { onProgress(); };
   hooks.save_failed = [this](const std::string& problem) {
     complain(problem + " Saving will be tried again.");
+  };
+  hooks.tried = [this](const std::string& sentence) { display_.say(sentence); };
+  hooks.trial_failed = [this](const std::string& problem) {
+    display_.clear();
+    ROS_WARN_STREAM("An entry could not be tried on the robot: "
+                    << problem << " Learning goes on; the next ones are tried later.");
   };
   const bool finished = session_.run(hooks);
   ended_ = true;

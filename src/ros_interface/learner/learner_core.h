@@ -40,10 +40,11 @@ class LearnerCore {
     std::string message;  ///< a sentence
   };
 
-  /// Throws as LearningSession does. `leaves`: somebody asked the node to leave. Clock and audience
-  /// must outlive it.
+  /// Throws as LearningSession does. `leaves`: somebody asked the node to leave. Clock, audience
+  /// and the robot that entries are tried on, where there is one, must outlive it.
   LearnerCore(const RobotDescription& robot, const LearnerOptions& options, const Clock& clock,
-              LearnerAudience& audience, std::function<bool()> leaves);
+              LearnerAudience& audience, std::function<bool()> leaves,
+              TrialRobot* trial_robot = nullptr);
 
   /// Learns in the calling thread until done or asked to leave; with exit_when_done false it waits
   /// then until it is. What could not be saved is tried again all the while, and some times more

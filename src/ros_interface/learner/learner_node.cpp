@@ -7,6 +7,7 @@
 
 #include "ros_interface/common/node_process.h"
 #include "ros_interface/common/robot_param.h"
+#include "ros_interface/learner/executor_trial_robot.h"
 
 namespace hexapod {
 namespace {
@@ -33,12 +34,21 @@ class LeavingWatch {
   std::thread thread_;
 };
 
+std::unique_ptr<TrialRobot> robotToTry(ros::NodeHandle& node, const LearnerOptions& options,
+                                       const Clock& clock) {
+  const TransferOptions& transfer = options.learn.transfer;
+  if (!transfer.transferability || !transfer.robot_body.empty()) return nullptr;
+  return std::make_unique<ExecutorTrialRobot>(node, options.pose, clock, askedToLeave);
+}
+
 }  // namespace
 
 LearnerNode::LearnerNode(ros::NodeHandle& node, ros::NodeHandle& private_node,
                          const LearnerOptions& options)
-    : core_(robotFromParams(node, options.robot_config), options, clock_, *this, askedToLeave),
-      repertoire_publisher_(node, options.base_frame),
+    : robot_(robotToTry(node, options, clock_)),
+      core_(robotFromParams(node, options.robot_config), options, clock_, *this, askedToLeave,
+            robot_.get()),
+      repertoire_publisher_(node, options.pose.base_frame),
       progress_publisher_(
           private_node.advertise<hexapod_repertoire::LearningProgress>("progress", 1, true)),
       history_publisher_(

@@ -6,6 +6,7 @@
 #include <std_srvs/SetBool.h>
 #include <std_srvs/Trigger.h>
 
+#include <memory>
 #include <string>
 
 #include "ros_interface/learner/learner_core.h"
@@ -32,6 +33,7 @@ class LearnerNode : private LearnerAudience {
   bool onPause(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
 
   SystemClock clock_;
+  std::unique_ptr<TrialRobot> robot_;  // none unless entries are tried on that of the session
   LearnerCore core_;
   RepertoirePublisher repertoire_publisher_;
   ros::Publisher progress_publisher_;

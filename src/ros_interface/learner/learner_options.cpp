@@ -8,11 +8,12 @@ std::vector<Option> declareOptions(LearnerOptions& options) {
                        "YAML of the robot: legs, gait, servo, contact (config/hexapod.yaml)."));
   all.push_back(option("publish_period_s", options.publish_period_s, "s",
                        "The growing repertoire is published at most this often.", 0.1, 86400.0));
-  all.push_back(option("base_frame", options.base_frame, "The robot's footprint in tf."));
   all.push_back(option("exit_when_done", options.exit_when_done,
                        "End when the budget is used up; false: go on publishing."));
   all.push_back(option("start_paused", options.start_paused,
                        "Learn nothing before ~pause is called with false."));
+  const std::vector<Option> pose = declareOptions(options.pose);
+  all.insert(all.end(), pose.begin(), pose.end());
   return all;
 }
 

@@ -5,7 +5,7 @@
 
 #include "common/options.h"
 #include "learning/learn_options.h"
-#include "ros_interface/common/names.h"
+#include "ros_interface/robot_client/pose_options.h"
 
 namespace hexapod {
 
@@ -16,7 +16,7 @@ struct LearnerOptions {
   double publish_period_s = 10.0;
   bool exit_when_done = false;
   bool start_paused = false;
-  std::string base_frame = names::kFootprintFrame;
+  PoseOptions pose;  ///< of the robot that entries are tried on; base_frame for all else, too
 };
 
 /// The options under their names, bound to `options`, which must outlive them.
