@@ -7,10 +7,6 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kWorkOfChild = 3;
-constexpr std::int64_t kWorkOfChildOnWay = 6;
-constexpr std::int64_t kWorkOfTest = 10;
-
 double largestTurn(const std::vector<Move>& moves) {
   double turn_rad = 0.0;
   for (const Move& move : moves) turn_rad = std::max(turn_rad, std::abs(move.end.yaw_rad));

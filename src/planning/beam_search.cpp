@@ -7,8 +7,6 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kWorkOfChild = 3;
-
 // The first beam is so much narrower than the full one, and one that mends an earlier chain, of
 // which the number of moves is known, so much narrower again.
 constexpr std::size_t kNarrower = 10;
@@ -19,6 +17,8 @@ constexpr std::int64_t kLeastImprovement = 40000;
 // well it ends is settled when few are left.
 constexpr double kAsExpected = 0.3;
 constexpr double kAsExpectedFar = 1.0;
+// One more move than were left ends better: a chain is taken at once that costs so much more.
+constexpr double kOneMore = 0.85;
 // A new one may have so many moves more than what is left of the earlier one; but where few are
 // left a better one is soon found.
 constexpr int kLonger = 1;
@@ -57,8 +57,8 @@ SearchResult BeamSearch::run() {
   result.exhausted = !budget_.isOver();
   result.at_least = at_least_;
   // Of a chain that is kept again and again the promise stays that of the first.
-  result.price =
-      keeps ? std::min(finish_.best().price, problem_.earlier_price) : finish_.best().price;
+  result.price = finish_.best().price;
+  if (keeps && !addedOneMove()) result.price = std::min(result.price, problem_.earlier_price);
   result.spent_s = static_cast<double>(budget_.spent()) / SearchBudget::kPosesPerSecond;
   result.chain = tree_.chainOf(result.found ? finish_.best() : finish_.nearest());
   return result;
@@ -80,7 +80,10 @@ bool BeamSearch::keepsEarlier() {
   }
   if (steps >= 2 && nodes.size() > steps - 2) finish_.withTwo(nodes[steps - 2]);
   if (isAsExpected()) return true;
-  if (steps >= 4 && nodes.size() > steps - 3) exchangeEnd(nodes[steps - 3]);
+  if (steps <= 2 && findsOneMoreMove()) return true;
+  if (steps >= 4 && nodes.size() > steps - 3) {
+    exchangeEnd(nodes[steps - 3], steps > kShort ? mostExpected() : -GoalFinish::kInfinity);
+  }
   if (isAsExpected()) return true;
   // From shortly before where it touches, or its last three; then from farther back.
   const std::size_t whole = std::min(nodes.size() - 1, steps - std::min<std::size_t>(steps, 3));
@@ -99,8 +102,17 @@ bool BeamSearch::keepsEarlier() {
 bool BeamSearch::isAsExpected() const {
   const std::size_t steps = problem_.earlier.size();
   return finish_.found() && tree_.steps(finish_.best()) <= static_cast<int>(steps) &&
-         finish_.best().price <=
-             problem_.earlier_price + (steps > kShort ? kAsExpectedFar : kAsExpected);
+         finish_.best().price <= mostExpected();
+}
+
+double BeamSearch::mostExpected() const {
+  return problem_.earlier_price + (problem_.earlier.size() > kShort ? kAsExpectedFar : kAsExpected);
+}
+
+/// Of a chain of which little was left.
+bool BeamSearch::addedOneMove() const {
+  const std::size_t steps = problem_.earlier.size();
+  return steps <= 2 && tree_.steps(finish_.best()) > static_cast<int>(steps);
 }
 
 /// Good enough to leave it at that in the middle of a walk.
@@ -109,11 +121,22 @@ bool BeamSearch::isAsGoodAsEarlier() const {
          tree_.steps(finish_.best()) <= static_cast<int>(problem_.earlier.size()) + kLonger;
 }
 
-/// Ends a chain with any move and two more, the best of all where few are left.
-void BeamSearch::exchangeEnd(Index node) {
-  const bool is_far = problem_.earlier.size() > kShort;
+/// After all chains of as many moves as are left, one or two, were seen and none is as expected:
+/// whether one of a move more is.
+bool BeamSearch::findsOneMoreMove() {
+  finish_.withOne(0, GoalFinish::kWidestOne_m, GoalFinish::kWidestOne_rad);
+  ruleOut(1, finish_.seesAllPairs());
+  finish_.withTwo(0);
+  ruleOut(2, finish_.seesAllPairs());
+  const double enough = problem_.earlier_price + kOneMore;
+  if (problem_.earlier.size() == 2) exchangeEnd(0, enough);
+  return finish_.best().price <= enough;
+}
+
+/// Ends a chain with any move and two more, until that costs no more than `enough`.
+void BeamSearch::exchangeEnd(Index node, double enough) {
   for (Index move = 0; move < tables_.moves.size() && !budget_.isOver(); ++move) {
-    if (is_far && isAsExpected()) return;
+    if (finish_.best().price <= enough) return;
     if (tree_.isTooFar(tables_.moves[move].remaining(tree_[node].remaining), 2)) continue;
     finish_.withTwo(tree_.add(node, move));
   }

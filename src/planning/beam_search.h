@@ -47,8 +47,11 @@ class BeamSearch {
 
   bool keepsEarlier();
   bool isAsExpected() const;
+  double mostExpected() const;
   bool isAsGoodAsEarlier() const;
-  void exchangeEnd(Index node);
+  bool findsOneMoreMove();
+  bool addedOneMove() const;
+  void exchangeEnd(Index node, double enough);
   void searchShortChains();
   void searchLongChains(Index from, std::size_t width, int most_steps);
   void searchPairsOfPairs();

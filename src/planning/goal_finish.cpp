@@ -6,8 +6,6 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kWorkOfLookup = 10;
-constexpr std::int64_t kWorkOfTest = 10;
 constexpr double kNarrowest_m = 0.01;
 constexpr double kNarrowest_rad = 0.03;
 

@@ -6,6 +6,14 @@
 
 namespace hexapod {
 
+/// What a step of a search costs, in poses looked at.
+/// @{
+constexpr std::int64_t kWorkOfChild = 3;
+constexpr std::int64_t kWorkOfChildOnWay = 6;
+constexpr std::int64_t kWorkOfLookup = 10;
+constexpr std::int64_t kWorkOfTest = 10;  ///< whether a path is free
+/// @}
+
 /// How much a search may still do: a count of poses looked at, so that the same question always
 /// gets the same answer, and whatever else the caller stops it by.
 class SearchBudget {

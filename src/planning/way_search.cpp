@@ -6,7 +6,7 @@ namespace hexapod {
 namespace {
 
 constexpr double kAround_m = 8.0;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kEverywhere_m = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
@@ -16,7 +16,7 @@ std::optional<Pose2> nearestFreePose(const WayField::Question& question) {
   back.world_from_goal = question.world_from_start;
   back.world_from_start = question.world_from_goal;
   back.radius_m = 0.0;
-  for (const double around_m : {kAround_m, kInfinity}) {
+  for (const double around_m : {kAround_m, kEverywhere_m}) {
     const WayField field(back, WayField::Open::kSurely, around_m);
     if (field.isCutShort()) return std::nullopt;
     const std::optional<Pose2> nearest = field.freePoseNearest(question.world_from_goal);
@@ -34,7 +34,7 @@ WaySearch findWays(const WayField::Question& question) {
     result.cut_short = result.cut_short || field->isCutShort();
     return found ? field : nullptr;
   };
-  for (const double around_m : {kAround_m, kInfinity}) {
+  for (const double around_m : {kAround_m, kEverywhere_m}) {
     result.bound = search(WayField::Open::kPossibly, around_m);
     if (result.cut_short) return {nullptr, nullptr, false, true};
     if (!result.bound) continue;

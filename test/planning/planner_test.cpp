@@ -116,6 +116,35 @@ TEST_F(ArcPlanner, GivesTheSamePlanEveryTimeAndFromEveryThread) {
   EXPECT_EQ(second, expected);
 }
 
+TEST_F(ArcPlanner, PlansAfterAMissWithLittleEffortAndHardlyMoreBehaviours) {
+  Random random(4);
+  double again = 0.0;
+  double afresh = 0.0;
+  std::size_t behaviors_again = 0;
+  std::size_t behaviors_afresh = 0;
+  for (int i = 0; i < 200; ++i) {
+    PlanRequest request = requestTo(randomPose(random, 1.5));
+    const PlanResult before = planner_.plan(request);
+    if (before.steps.size() < 2) continue;
+    request.world_from_start = before.steps.front().world_from_end *
+                               Pose2{random.uniform(-0.01, 0.01), random.uniform(-0.01, 0.01),
+                                     random.uniform(-0.02, 0.02)};
+    const PlanResult fresh = planner_.plan(request);
+    request.memory = before.memory;
+    request.memory.is_begun = true;
+    const PlanResult plan = planner_.plan(request);
+    ASSERT_TRUE(fresh.success() && plan.success()) << plan.message;
+    EXPECT_TRUE(within(composed(repertoire_, request, plan), request)) << plan.message;
+    EXPECT_LE(plan.at_least_steps, fresh.steps.size()) << "proved what is not true";
+    again += plan.effort;
+    afresh += fresh.effort;
+    behaviors_again += plan.steps.size();
+    behaviors_afresh += fresh.steps.size();
+  }
+  EXPECT_LT(again, 0.5 * afresh);
+  EXPECT_LT(behaviors_again, 1.03 * behaviors_afresh);
+}
+
 TEST_F(ArcPlanner, NeedsNoBehaviourWithinTolerance) {
   const PlanResult plan = planner_.plan(requestTo({0.03, 0.02, 0.1}));
   EXPECT_EQ(plan.code, PlanCode::kAlreadyThere);
