@@ -48,6 +48,9 @@ int askForRealtimePriority(int priority) {
   return setRoundRobin(std::min(priority, static_cast<int>(limit.rlim_cur)));
 }
 
+// Linux keeps it per thread.
+void beLessUrgent(int niceness) { setpriority(PRIO_PROCESS, 0, niceness); }
+
 // roscpp calls the listener in the thread that writes the sockets, at least every 100 ms.
 void raiseTransportPriority() {
   ros::PollManager::instance()->addPollThreadListener([] {

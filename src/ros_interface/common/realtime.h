@@ -19,6 +19,16 @@ struct RealtimePriority {
 /// as it was.
 int askForRealtimePriority(int priority);
 
+/// How much less urgent than others a thread is that computes for long (setpriority): what has to
+/// be answered at once is not kept waiting on a machine with few cores.
+struct Niceness {
+  static constexpr int kThinking = 5;     ///< somebody waits for what comes out
+  static constexpr int kBackground = 19;  ///< nobody does
+};
+
+/// For the calling thread alone; what it starts from then on inherits it.
+void beLessUrgent(int niceness);
+
 /// Asks for RealtimePriority::kTransport for roscpp's own thread, which reads and writes the
 /// sockets.
 void raiseTransportPriority();

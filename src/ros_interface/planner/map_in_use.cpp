@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ros_interface/common/conversions.h"
+#include "ros_interface/common/realtime.h"
 
 namespace hexapod {
 namespace {
@@ -72,6 +73,7 @@ void MapInUse::settle() const {
 }
 
 void MapInUse::work() {
+  beLessUrgent(Niceness::kThinking);
   for (;;) {
     PublishedMap map;
     {
@@ -107,20 +109,26 @@ std::optional<Pose2> MapInUse::globalFrom(const std::string& frame) const {
   }
 }
 
-/// Brings maps to where tf says. The last known transform stays in use while tf has none. With
-/// mutex_.
+/// Takes a map that waits as soon as tf knows its frame; the last known transform of the one in use
+/// stays while tf has none. With mutex_.
 void MapInUse::place() const {
-  if (waiting_.obstacles && globalFrom(waiting_.frame)) {
-    in_use_ = std::move(waiting_);
-    waiting_ = {};
+  if (bringsToPlace(waiting_)) {
+    in_use_ = std::exchange(waiting_, {});
+  } else {
+    bringsToPlace(in_use_);
   }
-  if (!in_use_.obstacles) return;
-  const std::optional<Pose2> global_from_frame = globalFrom(in_use_.frame);
-  if (!global_from_frame) return;
-  const Pose2 global_from_map = *global_from_frame * in_use_.frame_from_map;
-  if (isSame(global_from_map, in_use_.obstacles->worldFromMap())) return;
-  in_use_.obstacles =
-      std::make_shared<const Obstacles>(in_use_.obstacles->movedTo(global_from_map));
+}
+
+/// Moves a map to where tf says; false when there is none or tf does not know its frame.
+bool MapInUse::bringsToPlace(Located& map) const {
+  if (!map.obstacles) return false;
+  const std::optional<Pose2> global_from_frame = globalFrom(map.frame);
+  if (!global_from_frame) return false;
+  const Pose2 global_from_map = *global_from_frame * map.frame_from_map;
+  if (!isSame(global_from_map, map.obstacles->worldFromMap())) {
+    map.obstacles = std::make_shared<const Obstacles>(map.obstacles->movedTo(global_from_map));
+  }
+  return true;
 }
 
 std::shared_ptr<const Obstacles> MapInUse::obstacles() const {

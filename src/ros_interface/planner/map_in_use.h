@@ -55,6 +55,7 @@ class MapInUse {
 
   void work();
   void place() const;
+  bool bringsToPlace(Located& map) const;
   std::optional<Pose2> globalFrom(const std::string& frame) const;
 
   const PlannerNodeOptions& options_;

@@ -1,18 +1,14 @@
 #include "ros_interface/planner/relearner.h"
 
-#include <sys/resource.h>
-
 #include <exception>
 #include <utility>
 
 #include "learning/relearning.h"
 #include "planning/move.h"
+#include "ros_interface/common/realtime.h"
 
 namespace hexapod {
 namespace {
-
-// The robot has other things to do: its walk comes first.
-constexpr int kLeastUrgent = 19;
 
 std::size_t usable(const AdaptivePlanner& planner) { return planner.planner()->usableEntries(); }
 
@@ -65,7 +61,7 @@ std::string Relearner::begin(const AdaptivePlanner& published, const Physics& bo
 }
 
 void Relearner::learn(const Repertoire& repertoire, const Physics& body) {
-  setpriority(PRIO_PROCESS, 0, kLeastUrgent);  // of this thread only
+  beLessUrgent(Niceness::kBackground);
   try {
     RelearnOptions options;
     options.evaluations = options_.relearn_evaluations;

@@ -5,6 +5,8 @@
 #include <future>
 #include <memory>
 
+#include "ros_interface/common/realtime.h"
+
 namespace hexapod {
 namespace {
 
@@ -86,6 +88,7 @@ bool ServiceDoors::goTo(hexapod_repertoire::GoTo::Request& request,
 
 bool ServiceDoors::makePlan(nav_msgs::GetPlan::Request& request,
                             nav_msgs::GetPlan::Response& response) {
+  beLessUrgent(Niceness::kThinking);  // a thread for nothing else
   GoalRequest asked;
   asked.pose = request.goal;
   asked.xy_tolerance_m = request.tolerance;

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ros_interface/common/realtime.h"
 #include "self_model/learned_world.h"
 #include "simulation/base_path.h"
 
@@ -93,6 +94,7 @@ bool SimulatedPaths::canSimulate(const Repertoire& repertoire) const {
 }
 
 void SimulatedPaths::work() {
+  beLessUrgent(Niceness::kThinking);
   for (;;) {
     std::shared_ptr<AdaptivePlanner> planner;
     {

@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "ros_interface/common/realtime.h"
 #include "ros_interface/planner/twist_walk.h"
 
 namespace hexapod {
@@ -58,6 +59,7 @@ void Walker::look() {
 }
 
 void Walker::examineGoals() {
+  beLessUrgent(Niceness::kThinking);
   while (const GoalBook::Goal goal = book_.takeToExamine()) {
     if (!goal->ended()) {
       try {
