@@ -59,6 +59,7 @@ GoalWalk CampaignWalker::walkTo(const Pose2& goal, AdaptivePlanner& planner,
     if (!outcome.walked()) return ended(walk, GoalWalk::End::kFell);
     const Pose2 before = request.world_from_start;
     request.world_from_start = measuredPose();
+    request.memory = plan.memory;
     walk.off_m.push_back(distance(step.world_from_end, request.world_from_start));
     walk.off_rad.push_back(headingDistance(step.world_from_end, request.world_from_start));
     const double begin_s = threadCpu_s();
