@@ -13,7 +13,7 @@ namespace hexapod {
 namespace {
 
 // Other generators get the seed as it is.
-constexpr std::uint64_t kPurpose = 0x7374617274;
+constexpr std::uint64_t kPurposeOfStarts = 0x7374617274;
 // Behaviours before a start state, and how many are tried for one that walks.
 constexpr int kPredecessors = 2;
 constexpr int kMaxDraws = 100;
@@ -132,7 +132,7 @@ bool RobustEvaluator::goesOnStanding(const WorldState& state) {
 }
 
 void RobustEvaluator::prepareStartStates() {
-  Random random(seed_ ^ kPurpose);
+  Random random(seed_ ^ kPurposeOfStarts);
   while (start_states_.size() < static_cast<std::size_t>(options_.start_states)) {
     std::vector<WorldState> chain(1);
     for (int draw = 0; static_cast<int>(chain.size()) <= kPredecessors; ++draw) {

@@ -9,7 +9,7 @@ namespace hexapod {
 namespace {
 
 // Other generators get the seed as it is.
-constexpr std::uint64_t kPurpose = 0x726f62757374;
+constexpr std::uint64_t kPurposeOfWorlds = 0x726f62757374;
 
 }  // namespace
 
@@ -56,7 +56,7 @@ std::vector<Option> declareOptions(RobustnessOptions& options) {
 
 std::vector<Physics> perturbedPhysics(const RobustnessOptions& options, const Physics& nominal,
                                       double command_period_s, std::uint64_t seed) {
-  Random random(seed ^ kPurpose);
+  Random random(seed ^ kPurposeOfWorlds);
   const auto count = static_cast<std::size_t>(options.perturbed_physics);
   const auto factors = [&](double variation) {
     return stratified(count, 1.0 - variation, 1.0 + variation, random);

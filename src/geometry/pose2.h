@@ -5,6 +5,9 @@
 
 namespace hexapod {
 
+/// A degree [rad].
+constexpr double kDegree = M_PI / 180.0;
+
 /// Wraps an angle [rad] into (-pi, pi]. Any finite input.
 double wrapAngle(double angle_rad);
 

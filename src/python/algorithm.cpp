@@ -37,7 +37,7 @@ py::array_t<std::uint8_t> ask(Generational& algorithm, std::optional<std::int64_
   return arrayOf(questions.genomes, questions.genomes.at(0).size());
 }
 
-py::array_t<std::uint8_t> genomesArray(const Generational& algorithm) {
+py::array_t<std::uint8_t> genomesOfPopulation(const Generational& algorithm) {
   const std::vector<Genome> genomes = genomesOf(algorithm.entries());
   return arrayOf(genomes, genomes.empty() ? 0 : genomes[0].size());
 }
@@ -97,7 +97,7 @@ Raises:
       .def_property_readonly(
           "entries", [](const Generational& algorithm) { return arrayOf(algorithm.entries()); },
           "The controllers found so far: structured array of shape (n,), as Repertoire.entries.")
-      .def_property_readonly("genomes", &genomesArray,
+      .def_property_readonly("genomes", &genomesOfPopulation,
                              "Genes of each entry, shape (n, genes), uint8.")
       .def_property_readonly(
           "evaluations",

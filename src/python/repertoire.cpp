@@ -9,7 +9,7 @@ namespace py = pybind11;
 namespace hexapod {
 namespace {
 
-py::array_t<std::uint8_t> genomesArray(const Repertoire& repertoire) {
+py::array_t<std::uint8_t> genomesOfEntries(const Repertoire& repertoire) {
   const std::vector<Genome> genomes = genomesOf(repertoire.entries);
   return arrayOf(genomes, genomes.empty() ? 0 : genomes[0].size());
 }
@@ -45,7 +45,7 @@ id; x_m, y_m, yaw_rad: end pose as learned, in the start frame; orientation_erro
 cost: what the entry won its place with; evaluation: number of its candidate; executed_x_m,
 executed_y_m, executed_yaw_rad: mean end pose after random predecessors; spread_m, spread_rad: root
 mean square distance from that; trials, falls. The last seven are NaN or 0 until validated.)")
-      .def_property_readonly("genomes", &genomesArray,
+      .def_property_readonly("genomes", &genomesOfEntries,
                              "Genes of each entry, shape (n, genes), uint8, 0 .. gene_levels - 1.")
       .def_property_readonly("gene_levels", &Repertoire::geneLevels,
                              "What Simulation and commands() play its genomes with.")

@@ -6,6 +6,8 @@ namespace hexapod {
 
 /// How large and heavy a robot is, and the constants that depend on it.
 
+constexpr double kGravity_m_per_s2 = 9.81;
+
 /// Whether the radius of gyration about some axis is beyond all of the body's shapes, with room
 /// for what they leave out. False without shapes.
 bool isAbsurdInertia(const Body& body);

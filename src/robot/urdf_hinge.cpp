@@ -23,9 +23,9 @@ std::string typeName(int type) {
   }
 }
 
-class Hinge {
+class HingeReader {
  public:
-  Hinge(const urdf::Joint& from, const Findings& findings, Joint& joint)
+  HingeReader(const urdf::Joint& from, const Findings& findings, Joint& joint)
       : from_(from), findings_(findings), joint_(joint) {}
 
   void read() {
@@ -100,7 +100,7 @@ class Hinge {
 }  // namespace
 
 void readHinge(const urdf::Joint& from, const Findings& findings, Joint& joint) {
-  Hinge(from, findings, joint).read();
+  HingeReader(from, findings, joint).read();
 }
 
 }  // namespace hexapod

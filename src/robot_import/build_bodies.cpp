@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "robot/urdf_hinge.h"
 
 namespace hexapod {
@@ -17,7 +18,6 @@ constexpr double kSlowest_rad_per_s = 0.1;
 // Limits beyond two turns are degrees, unless they are beyond a turn of those.
 constexpr double kTwoTurns_rad = 4.0 * M_PI;
 constexpr double kTurn_deg = 360.0;
-constexpr double kDegree = M_PI / 180.0;
 
 class Builder {
  public:

@@ -22,7 +22,6 @@ namespace hexapod {
 namespace {
 
 constexpr std::uint64_t kSeed = 1;
-constexpr double kGravity_m_per_s2 = 9.81;
 constexpr double kFineStep_s = 0.005;
 constexpr double kTouches_m = 1e-3;
 // A joint is back within this of where it stands.

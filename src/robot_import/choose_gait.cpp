@@ -15,7 +15,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kGravity_m_per_s2 = 9.81;
 // Of the room that legs can make below the body at most, what a stand should have.
 constexpr double kUsedClearance = 0.6;
 // Of the reach; with less of it the body stays on the floor.

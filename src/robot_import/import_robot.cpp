@@ -7,6 +7,7 @@
 #include "common/text.h"
 #include "gait/behavior_options.h"
 #include "gait/symmetry.h"
+#include "geometry/pose2.h"
 #include "robot/dimensions.h"
 #include "robot/load_robot.h"
 #include "robot/urdf_bodies.h"
@@ -35,7 +36,6 @@ constexpr double kMostTilt_rad = 0.2;
 // Of the reach: gaits that lead less far than this lead nowhere.
 constexpr double kLeastWay = 0.01;
 constexpr double kLongestReach_m = 5.0;
-constexpr double kDegree = M_PI / 180.0;
 
 // Which shape or joint reaches farthest from its link, where lengths are mixed up.
 std::string farthestOf(const RobotDescription& robot) {

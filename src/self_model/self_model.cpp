@@ -15,7 +15,7 @@ constexpr double kLikelyEnough = 0.5;
 constexpr double kPriorError_m = 0.005;
 constexpr double kPriorError_rad = 0.012;
 constexpr double kPriorCount = 4.0;
-constexpr double kFading = 0.9;
+constexpr double kFadingOfMisses = 0.9;
 // A planner shall trust these spreads as they are.
 constexpr int kTrials = 50;
 
@@ -168,9 +168,9 @@ void SelfModel::learnErrors(const WalkedStep& step) {
     const double off_m = std::min(distance(predicted, step.world_from_after), 3.0 * kPriorError_m);
     const double off_rad =
         std::min(headingDistance(predicted, step.world_from_after), 3.0 * kPriorError_rad);
-    square_m2_ = kFading * square_m2_ + off_m * off_m;
-    square_rad2_ = kFading * square_rad2_ + off_rad * off_rad;
-    count_ = kFading * count_ + 1.0;
+    square_m2_ = kFadingOfMisses * square_m2_ + off_m * off_m;
+    square_rad2_ = kFadingOfMisses * square_rad2_ + off_rad * off_rad;
+    count_ = kFadingOfMisses * count_ + 1.0;
     return;
   }
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "gait/outcome.h"
-#include "robot/robot_description.h"
+#include "robot/dimensions.h"
 #include "simulation/leg_state.h"
 
 namespace hexapod {
@@ -16,7 +16,7 @@ namespace hexapod {
 /// one language of perturbed learning, disturbed robots and what a robot believes of itself.
 struct Physics {
   double step_s = 0.015;  ///< [s]; command period must be a multiple of it
-  double gravity_m_per_s2 = 9.81;
+  double gravity_m_per_s2 = kGravity_m_per_s2;
   double friction_scale = 1.0;              ///< of Contact::friction
   double mass_scale = 1.0;                  ///< of every mass and inertia
   double servo_gain_scale = 1.0;            ///< of Servo::gain_per_s

@@ -9,6 +9,7 @@
 #include "evaluation/assessment.h"
 #include "evaluation/chains.h"
 #include "evaluation/test_set.h"
+#include "geometry/pose2.h"
 #include "repertoire/repertoire_file.h"
 #include "repertoire/steadiness.h"
 #include "robot/dimensions.h"
@@ -26,8 +27,6 @@ constexpr const char* kUsage =
     "Plays the entries that a planner uses one after another at random, in the world they were\n"
     "learned in and in the 20 worlds of the test set, then each from the stand in worlds in which\n"
     "one thing differs.\n";
-
-constexpr double kDegrees = 180.0 / M_PI;
 
 struct AssessOptions {
   std::int64_t chain = 10000;
@@ -70,7 +69,7 @@ AssessOptions assessOptionsFrom(const std::vector<std::string>& words) {
 
 void printRow(const std::string& name, const RepertoireMetrics& metrics, const std::string& rest) {
   std::printf("| %-16s | %7zu | %6.2f | %6.2f | %6.2f | %s |\n", name.c_str(), metrics.endings,
-              100.0 * metrics.sparseness_m, kDegrees * metrics.median_error_in_region_rad,
+              100.0 * metrics.sparseness_m, metrics.median_error_in_region_rad / kDegree,
               metrics.max_reach_m, rest.c_str());
 }
 
@@ -87,8 +86,8 @@ std::string missText(const ChainResult& chain) {
   char text[128];
   std::snprintf(text, sizeof text, "%6.1f | %6.1f | %6.2f | %6.2f | %6lld | %3lld",
                 1e3 * quantile(chain.misses_m, 0.5), 1e3 * quantile(chain.misses_m, 0.9),
-                kDegrees * quantile(chain.misses_rad, 0.5),
-                kDegrees * quantile(chain.misses_rad, 0.9),
+                quantile(chain.misses_rad, 0.5) / kDegree,
+                quantile(chain.misses_rad, 0.9) / kDegree,
                 static_cast<long long>(chain.behaviors()), static_cast<long long>(chain.failed));
   return text;
 }
@@ -102,7 +101,7 @@ std::string describe(const Physics& world) {
       "friction %.2f, gain %.2f, mass %.2f, torque %.2f, slopes %4.1f %4.1f deg, %2.0f ms "
       "late, step %.1f ms",
       world.friction_scale, world.servo_gain_scale, world.mass_scale, world.torque_scale,
-      kDegrees * world.slope_x_rad, kDegrees * world.slope_y_rad, 1e3 * world.command_latency_s,
+      world.slope_x_rad / kDegree, world.slope_y_rad / kDegree, 1e3 * world.command_latency_s,
       1e3 * world.step_s);
   return text;
 }

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "repertoire/import_repertoire.h"
 #include "repertoire/repertoire_file.h"
 #include "robot/load_robot.h"
@@ -22,7 +23,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kTight_m = 0.05;
 const GoalTolerance kEmptyTolerance{0.01, 1.0 * kDegree};
 const GoalTolerance kCoarseTolerance{0.02, 2.0 * kDegree};

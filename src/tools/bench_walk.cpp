@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "common/options_help.h"
+#include "geometry/pose2.h"
 #include "repertoire/repertoire_file.h"
 #include "robot/load_robot.h"
 #include "tools/command_line.h"
@@ -19,8 +20,6 @@
 
 namespace hexapod {
 namespace {
-
-constexpr double kDegrees = 180.0 / M_PI;
 
 struct BenchWalkOptions {
   CampaignOptions campaign;
@@ -60,7 +59,7 @@ std::string textOf(const CampaignRow& row, const std::string& body, const std::s
       body.c_str(), adaptation.c_str(), static_cast<long long>(row.arrived),
       static_cast<long long>(row.goals), row.behaviors, static_cast<long long>(row.given_up),
       static_cast<long long>(row.no_plan), static_cast<long long>(row.fell),
-      static_cast<long long>(row.touched), 1e3 * row.off_m, kDegrees * row.off_rad,
+      static_cast<long long>(row.touched), 1e3 * row.off_m, row.off_rad / kDegree,
       100.0 * row.right_after_first, 100.0 * row.false_alarms, 1e3 * row.thought_s,
       1e3 * row.most_thought_s);
   return text;

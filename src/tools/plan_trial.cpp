@@ -15,7 +15,6 @@ constexpr std::size_t kWorlds = 10;
 // How a behaviour may miss its prediction before the next plan.
 constexpr double kMiss_m = 0.004;
 constexpr double kMiss_rad = 0.008;
-constexpr double kLookAround_m = 0.3;
 
 double normal(Random& random) {
   const double radius = std::sqrt(-2.0 * std::log(1.0 - random.uniform()));

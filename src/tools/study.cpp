@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "robot/load_robot.h"
 #include "study/run_files.h"
 #include "study/study_folder.h"
@@ -25,7 +26,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kDegrees = 57.29577951308232;
 constexpr int kTakenByAnother = 3;
 
 /// Processes of an mpirun on this machine, this one included; 1 without.
@@ -49,7 +49,7 @@ void print(const RunPlan& plan, const RunResult& result) {
     char figures[160];
     std::snprintf(figures, sizeof figures, "; %s %zu entries, %.2f cm, %.2f deg", name.c_str(),
                   metrics.endings, 100.0 * metrics.sparseness_m,
-                  kDegrees * metrics.median_error_in_region_rad);
+                  metrics.median_error_in_region_rad / kDegree);
     text += figures;
   }
   std::printf("%s\n", text.c_str());

@@ -8,6 +8,9 @@
 
 namespace hexapod {
 
+/// How far around the footprint obstacles are looked for.
+constexpr double kLookAround_m = 0.3;
+
 /// Finds what a robot touches, from the occupied cells alone: it shares no code with the planner.
 class TouchCheck {
  public:

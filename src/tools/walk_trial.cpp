@@ -12,8 +12,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kLookAround_m = 0.3;
-
 /// A simulated robot in a made world.
 class Walker {
  public:

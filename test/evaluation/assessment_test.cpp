@@ -36,7 +36,7 @@ class Assessment : public testing::Test {
   const RobotDescription robot_ = loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml");
   const std::shared_ptr<WorldPool> pool_ =
       std::make_shared<WorldPool>(Engine::kReduced, robot_, Physics(), 1);
-  const BehaviorOptions behavior_;
+  const BehaviorOptions behavior_{};
   std::vector<Entry> entries_;
 };
 

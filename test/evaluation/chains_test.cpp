@@ -14,8 +14,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kPeriod_s = 0.030;
-
 std::vector<Entry> entriesOf(const std::vector<Genome>& genomes) {
   std::vector<Entry> entries;
   for (const Genome& genome : genomes) {

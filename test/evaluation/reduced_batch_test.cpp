@@ -17,8 +17,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kPeriod_s = 0.030;
-
 std::vector<Behavior> behaviors(const RobotDescription& robot, std::size_t count) {
   std::vector<Behavior> made;
   for (const Genome& genome : randomGenomes(robot, count, 8)) {

@@ -17,8 +17,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kPeriod_s = 0.030;
-
 std::shared_ptr<WorldPool> pool(Engine engine = Engine::kReduced, int threads = 1) {
   return std::make_shared<WorldPool>(engine, handMadeHexapod(), Physics(), threads);
 }

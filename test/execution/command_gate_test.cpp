@@ -11,8 +11,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kPeriod_s = 0.030;
-
 using Passage = CommandGate::Passage;
 
 TEST(CommandGate, PassesEveryBehaviorBitForBit) {

@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "common/random.h"
+#include "ms.h"
 
 namespace hexapod {
 namespace {
 
-using Arrival = CommandSchedule::Arrival;
+using Taken = CommandSchedule::Arrival;
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kStep_ns = 15 * kMs;
 constexpr std::int64_t kPeriod_ns = 30 * kMs;
 constexpr std::int64_t kLatency_ns = 60 * kMs;
@@ -33,7 +33,7 @@ TEST(CommandSchedule, GivesEveryCommandItsTwoStepsWhateverTheJitterOfArrival) {
       for (; sent < 40 && arrival[sent] <= step; ++sent) {
         const std::int64_t stamp = first_stamp + static_cast<std::int64_t>(sent) * kPeriod_ns;
         EXPECT_EQ(schedule.add(stamp, step - kStep_ns, {static_cast<double>(sent)}),
-                  Arrival::kScheduled);
+                  Taken::kScheduled);
       }
       if (const auto* due = schedule.due(step)) {
         const double k = static_cast<double>((step - kLatency_ns - first_stamp) / kPeriod_ns);
@@ -47,9 +47,9 @@ TEST(CommandSchedule, GivesEveryCommandItsTwoStepsWhateverTheJitterOfArrival) {
 
 TEST(CommandSchedule, AppliesALateCommandAtOnceAndDropsAnOlderOne) {
   CommandSchedule schedule(kLatency_ns);
-  EXPECT_EQ(schedule.add(1000 * kMs, 1100 * kMs, {1.0}), Arrival::kLate);
+  EXPECT_EQ(schedule.add(1000 * kMs, 1100 * kMs, {1.0}), Taken::kLate);
   ASSERT_NE(schedule.due(1115 * kMs), nullptr);
-  EXPECT_EQ(schedule.add(970 * kMs, 1115 * kMs, {0.0}), Arrival::kOld);
+  EXPECT_EQ(schedule.add(970 * kMs, 1115 * kMs, {0.0}), Taken::kOld);
   EXPECT_EQ(schedule.due(1130 * kMs), nullptr);
 }
 
@@ -63,9 +63,9 @@ TEST(CommandSchedule, TheNewestOfSeveralDueCommandsActs) {
 
 TEST(CommandSchedule, AppliesUnstampedAndForeignCommandsFromTheNextStep) {
   CommandSchedule schedule(kLatency_ns);
-  EXPECT_EQ(schedule.add(0, 1000 * kMs, {1.0}), Arrival::kScheduled);
+  EXPECT_EQ(schedule.add(0, 1000 * kMs, {1.0}), Taken::kScheduled);
   EXPECT_EQ(schedule.due(1015 * kMs)->front(), 1.0);
-  EXPECT_EQ(schedule.add(99'000 * kMs, 1015 * kMs, {2.0}), Arrival::kForeign);
+  EXPECT_EQ(schedule.add(99'000 * kMs, 1015 * kMs, {2.0}), Taken::kForeign);
   EXPECT_EQ(schedule.due(1030 * kMs)->front(), 2.0);
   EXPECT_EQ(schedule.newestStamp_ns(), 0);
 }
@@ -76,14 +76,14 @@ TEST(CommandSchedule, ForgetsCommandsButNotTheStreamWhenCleared) {
   schedule.clear();
   EXPECT_EQ(schedule.due(2000 * kMs), nullptr);
   EXPECT_EQ(schedule.newestStamp_ns(), 1000 * kMs);
-  EXPECT_EQ(schedule.add(900 * kMs, 890 * kMs, {1.0}), Arrival::kScheduled);
+  EXPECT_EQ(schedule.add(900 * kMs, 890 * kMs, {1.0}), Taken::kScheduled);
 }
 
 TEST(CommandSchedule, BoundsWhatWaits) {
   CommandSchedule schedule(kLatency_ns);
   int full = 0;
   for (int k = 0; k < 2000; ++k)
-    full += schedule.add(1000 * kMs + k, 990 * kMs, {1.0}) == Arrival::kFull;
+    full += schedule.add(1000 * kMs + k, 990 * kMs, {1.0}) == Taken::kFull;
   EXPECT_EQ(full, 1000);
 }
 

@@ -4,14 +4,15 @@
 
 #include <cmath>
 
+#include "ms.h"
+
 namespace hexapod {
 namespace {
 
 using Names = std::vector<std::string>;
 using Result = FeedbackMerger::Result;
 
-constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kRos = 1'700'000'000'000 * kMs;
+constexpr std::int64_t kRosBegin_ns = 1'700'000'000'000 * kMs;
 
 // Three joints a, b, c, and a clock on which messages come at once.
 class FeedbackMergerTest : public testing::Test {
@@ -20,9 +21,9 @@ class FeedbackMergerTest : public testing::Test {
              const std::string& source = "/driver") {
     return merger_.add({names,
                         positions,
-                        stamped_ ? kRos + now_ms_ * kMs : 0,
+                        stamped_ ? kRosBegin_ns + now_ms_ * kMs : 0,
                         source,
-                        {kRos + now_ms_ * kMs + ros_set_ns_, now_ms_ * kMs}});
+                        {kRosBegin_ns + now_ms_ * kMs + ros_set_ns_, now_ms_ * kMs}});
   }
 
   const std::vector<std::uint64_t>& counts() const { return merger_.readings().counts; }
@@ -65,7 +66,7 @@ TEST_F(FeedbackMergerTest, RefusesAMessageThatIsWrongAsAWhole) {
 TEST_F(FeedbackMergerTest, RefusesStaleStampsAndSaysWhose) {
   const Names names{"a"};
   const std::vector<double> positions{1.0};
-  EXPECT_EQ(merger_.add({names, positions, kRos, "/bag", {kRos + 2000 * kMs, 0}}),
+  EXPECT_EQ(merger_.add({names, positions, kRosBegin_ns, "/bag", {kRosBegin_ns + 2000 * kMs, 0}}),
             Result::kRefused);
   EXPECT_NE(merger_.problem().find("2000 ms ago by /bag"), std::string::npos) << merger_.problem();
 }
@@ -109,8 +110,8 @@ TEST_F(FeedbackMergerTest, TellsWhenSomethingElseOfASourceHappenedThoughItsClock
   say({"a"}, {1});
   ros_set_ns_ = kHour;
   now_ms_ += 100;
-  const Arrival arrival{kRos + now_ms_ * kMs + ros_set_ns_, now_ms_ * kMs};
-  const std::int64_t stamp_ns = kRos + (now_ms_ - 30) * kMs;
+  const Arrival arrival{kRosBegin_ns + now_ms_ * kMs + ros_set_ns_, now_ms_ * kMs};
+  const std::int64_t stamp_ns = kRosBegin_ns + (now_ms_ - 30) * kMs;
   EXPECT_EQ(merger_.timeOf("/driver", stamp_ns, arrival), (now_ms_ - 30) * kMs);
   EXPECT_EQ(merger_.timeOf("/driver", stamp_ns + 2 * kHour, arrival), std::nullopt);
   EXPECT_NE(merger_.problem().find("3599970 ms from now by /driver"), std::string::npos)

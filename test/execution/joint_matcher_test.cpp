@@ -8,17 +8,17 @@
 namespace hexapod {
 namespace {
 
-const std::vector<std::string> kNames = {"hip", "knee", "ankle"};
+const std::vector<std::string> kLeg = {"hip", "knee", "ankle"};
 
 TEST(JointMatcher, OrdersByName) {
-  JointMatcher matcher(kNames);
+  JointMatcher matcher(kLeg);
   ASSERT_TRUE(matcher.match({"ankle", "hip", "knee"}, {3.0, 1.0, 2.0}));
   EXPECT_EQ(matcher.values(), (std::vector<double>{1.0, 2.0, 3.0}));
 }
 
 TEST(JointMatcher, SaysWhatIsWrongAndKeepsTheLastGoodValues) {
-  JointMatcher matcher(kNames);
-  ASSERT_TRUE(matcher.match(kNames, {1.0, 2.0, 3.0}));
+  JointMatcher matcher(kLeg);
+  ASSERT_TRUE(matcher.match(kLeg, {1.0, 2.0, 3.0}));
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const struct {
     std::vector<std::string> names;

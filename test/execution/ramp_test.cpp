@@ -7,8 +7,6 @@
 namespace hexapod {
 namespace {
 
-constexpr double kPeriod_s = 0.030;
-
 TEST(Ramp, StartsAndEndsExactlyAndHoldsBefore) {
   Ramp ramp(shippedRobot());
   std::vector<double> from = shippedRobot().neutralPose();

@@ -83,7 +83,6 @@ TEST(SharedExecutor, AnswersRequestsFromSeveralThreads) {
   loop.waitFor(ExecutorMode::kReady);
   const Behavior behavior(shippedRobot(), Genome(24, 1), BehaviorOptions());
   std::atomic<int> accepted{0};
-  std::atomic<std::uint64_t> highest{0};
   const auto play = [&] {
     for (int i = 0; i < 50; ++i) {
       if (loop.executor().start(behavior, i).accepted()) ++accepted;

@@ -11,6 +11,9 @@
 
 namespace hexapod {
 
+/// Of commands, as in the paper.
+constexpr double kPeriod_s = 0.030;
+
 inline const RobotDescription& shippedRobot() {
   static const RobotDescription robot = loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml");
   return robot;

@@ -2,10 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "ms.h"
+
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kHour = 3'600'000 * kMs;
 // Our clocks when the session begins.
 constexpr std::int64_t kRos = 1'700'000'000'000 * kMs;

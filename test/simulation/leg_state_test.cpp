@@ -23,7 +23,7 @@ Physics withLegs(const RobotDescription& robot, const std::string& text) {
   return physics;
 }
 
-std::string complaint(const RobotDescription& robot, const std::string& text) {
+std::string complaintOf(const RobotDescription& robot, const std::string& text) {
   try {
     legStatesFromText(robot, text);
   } catch (const std::invalid_argument& error) {
@@ -48,12 +48,12 @@ TEST(LegState, IsReadFromTextAndToldAsText) {
 TEST(LegState, NamesTheWordThatIsNoLegOrCondition) {
   const RobotDescription robot = handMadeHexapod();
   const std::string leg = robot.legs[0].name;
-  EXPECT_NE(complaint(robot, "tail: limp").find("'tail' is no leg; expected one of " + leg),
+  EXPECT_NE(complaintOf(robot, "tail: limp").find("'tail' is no leg; expected one of " + leg),
             std::string::npos);
-  EXPECT_EQ(complaint(robot, leg + ": broken"),
+  EXPECT_EQ(complaintOf(robot, leg + ": broken"),
             "'broken' is no condition of a leg; expected one of intact, locked, lifted, limp, "
             "missing.");
-  EXPECT_NE(complaint(robot, leg).find("expected for example"), std::string::npos);
+  EXPECT_NE(complaintOf(robot, leg).find("expected for example"), std::string::npos);
 }
 
 TEST(LegState, LiftsAShippedLegByItsSecondSignal) {

@@ -17,8 +17,6 @@
 namespace hexapod {
 namespace {
 
-constexpr std::size_t kVelocity = 7;
-
 // One settled world for all tests that start by restarting it; its life is that of the suite.
 class OdeWorldTest : public ::testing::Test {
  protected:

@@ -12,7 +12,7 @@
 namespace hexapod {
 namespace {
 
-std::string complaint(double Physics::*value, double found) {
+std::string complaintAbout(double Physics::*value, double found) {
   Physics physics;
   physics.*value = found;
   try {
@@ -24,16 +24,19 @@ std::string complaint(double Physics::*value, double found) {
 }
 
 TEST(Physics, NamesTheValueThatIsOutOfRange) {
-  EXPECT_EQ(complaint(&Physics::step_s, 0.0),
+  EXPECT_EQ(complaintAbout(&Physics::step_s, 0.0),
             "Physics value step_s must be between 0.0001 and 0.1, found 0.");
-  EXPECT_NE(complaint(&Physics::gravity_m_per_s2, -9.81).find("gravity_m_per_s2"),
+  EXPECT_NE(complaintAbout(&Physics::gravity_m_per_s2, -9.81).find("gravity_m_per_s2"),
             std::string::npos);
-  EXPECT_NE(complaint(&Physics::friction_scale, -0.1).find("friction_scale"), std::string::npos);
-  EXPECT_NE(complaint(&Physics::mass_scale, 0.0).find("mass_scale"), std::string::npos);
-  EXPECT_NE(complaint(&Physics::servo_gain_scale, 1e9).find("servo_gain_scale"), std::string::npos);
-  EXPECT_NE(complaint(&Physics::torque_scale, -1.0).find("torque_scale"), std::string::npos);
-  EXPECT_NE(complaint(&Physics::slope_x_rad, 1.57).find("slope_x_rad"), std::string::npos);
-  EXPECT_NE(complaint(&Physics::slope_y_rad, std::nan("")).find("slope_y_rad"), std::string::npos);
+  EXPECT_NE(complaintAbout(&Physics::friction_scale, -0.1).find("friction_scale"),
+            std::string::npos);
+  EXPECT_NE(complaintAbout(&Physics::mass_scale, 0.0).find("mass_scale"), std::string::npos);
+  EXPECT_NE(complaintAbout(&Physics::servo_gain_scale, 1e9).find("servo_gain_scale"),
+            std::string::npos);
+  EXPECT_NE(complaintAbout(&Physics::torque_scale, -1.0).find("torque_scale"), std::string::npos);
+  EXPECT_NE(complaintAbout(&Physics::slope_x_rad, 1.57).find("slope_x_rad"), std::string::npos);
+  EXPECT_NE(complaintAbout(&Physics::slope_y_rad, std::nan("")).find("slope_y_rad"),
+            std::string::npos);
   EXPECT_NO_THROW(checkPhysics(Physics()));
 }
 

@@ -17,8 +17,6 @@
 namespace hexapod {
 namespace {
 
-constexpr std::size_t kVelocity = 7;
-
 // Largest difference of positions and quaternions, and of velocities and rates.
 struct Difference {
   double pose = 0.0;

@@ -7,6 +7,9 @@
 
 namespace hexapod {
 
+/// Of commands, as in the paper.
+constexpr double kPeriod_s = 0.030;
+
 /// A hexapod written out by hand, so that these tests depend on no file: box body, six legs of
 /// three capsules, joint axes up and sideways, tibia vertical in the neutral pose.
 RobotDescription handMadeHexapod();
@@ -27,6 +30,9 @@ Genome tripod(const RobotDescription& robot);
 /// Genomes drawn uniformly, in canonical form.
 std::vector<Genome> randomGenomes(const RobotDescription& robot, std::size_t count,
                                   std::uint64_t seed);
+
+/// Where a body's velocity begins among its values of a WorldState.
+constexpr std::size_t kVelocity = 7;
 
 /// The state of a world whose robot was lifted, and rolled about the x axis of its base.
 WorldState rolled(const RobotDescription& robot, WorldState state, double roll_rad, double lift_m);

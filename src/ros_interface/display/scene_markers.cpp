@@ -6,6 +6,7 @@
 
 #include "common/text.h"
 #include "geometry/arc.h"
+#include "geometry/pose2.h"
 #include "repertoire/metrics.h"
 #include "robot/dimensions.h"
 #include "ros_interface/display/marker_parts.h"
@@ -17,7 +18,6 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr double kLineHeight_m = 0.003;
 constexpr double kTextHeight_m = 0.035;
 // Figures stand to the left of the region of interest, the legend to its right.

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "repertoire/entry_choice.h"
 #include "ros_interface/common/conversions.h"
 
@@ -15,7 +16,6 @@ namespace {
 
 using hexapod_repertoire::ExecutorState;
 
-constexpr double kDegrees = 180.0 / M_PI;
 // The mouse means an entry no farther away than this.
 constexpr double kHoverReach_m = 0.03;
 constexpr char kPaused[] = "paused";
@@ -52,7 +52,7 @@ bool sendsNothing(std::uint8_t state) {
 std::string howItEnded(const hexapod_repertoire::StepReport& report) {
   return "entry " + std::to_string(report.entry_id) + " ended " +
          fixedText(100.0 * report.xy_error_m, 1) + " cm and " +
-         fixedText(kDegrees * report.yaw_error_rad, 1) + " deg from its prediction";
+         fixedText(report.yaw_error_rad / kDegree, 1) + " deg from its prediction";
 }
 
 PanelModel::NodeLine absent(const std::string& name, const std::string& reason) {
@@ -68,7 +68,7 @@ void PanelModel::hearProgress(const hexapod_repertoire::LearningProgress& progre
   if (progress.archive_size == 0) return;
   if (!curve_.empty() && evaluations <= curve_.back().evaluations) return;
   curve_.push_back({evaluations, 100.0 * progress.sparseness_m,
-                    kDegrees * progress.median_orientation_error_rad});
+                    progress.median_orientation_error_rad / kDegree});
 }
 
 void PanelModel::hearHistory(const hexapod_repertoire::LearningHistory& history) {
@@ -78,7 +78,7 @@ void PanelModel::hearHistory(const hexapod_repertoire::LearningHistory& history)
   std::vector<CurvePoint> curve;
   for (std::size_t i = 0; i < rows; ++i) {
     curve.push_back({static_cast<double>(history.evaluations[i]), 100.0 * history.sparseness_m[i],
-                     kDegrees * history.median_orientation_error_rad[i]});
+                     history.median_orientation_error_rad[i] / kDegree});
   }
   const double known = curve.empty() ? -1.0 : curve.back().evaluations;
   std::copy_if(curve_.begin(), curve_.end(), std::back_inserter(curve),
@@ -196,8 +196,8 @@ std::vector<PanelModel::EntryLine> PanelModel::entries() const {
   std::vector<EntryLine> lines;
   for (const Entry& entry : repertoire_.entries) {
     if (!filter_.passes(entry)) continue;
-    EntryLine line{entry.id, entry.expectedPose(),
-                   kDegrees * orientationError(entry.expectedPose()), std::nullopt};
+    EntryLine line{entry.id, entry.expectedPose(), orientationError(entry.expectedPose()) / kDegree,
+                   std::nullopt};
     if (entry.execution) line.spread_cm = 100.0 * entry.execution->spread_m;
     lines.push_back(line);
   }
