@@ -54,7 +54,7 @@ class Terminal:
         self._sessions = []
 
     def _start(self, command, **how):
-        setup = ROOT / "build/devel/setup.bash"
+        setup = ROOT / "devel/setup.bash"
         return subprocess.Popen(["bash", "-c", f"[[ ! -e {setup} ]] || source {setup}\n{command}"],
                                 cwd=self._folder, env=self._environment, start_new_session=True,
                                 **how)

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Evolves from Python and with the program evolve, in turn, and writes results/python.md.
 
-    PYTHONPATH=src:<build>/devel/lib/python3/dist-packages \
-        results/measure_python.py --evolve <build>/devel/lib/hexapod_repertoire/evolve
+    PYTHONPATH=src:<devel>/lib/python3/dist-packages \
+        results/measure_python.py --evolve <devel>/lib/hexapod_repertoire/evolve
 
 The runs are the same, the paper's preset on one thread; each pair has a seed of its own.
 """

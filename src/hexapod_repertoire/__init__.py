@@ -29,7 +29,7 @@ def __getattr__(name: str) -> Any:
         raise ImportError(
             f"hexapod_repertoire.{name} needs the C++ part of the package, which cannot be loaded "
             f"({problem}): build it (./run test builds all; the package pybind11-dev must be there) "
-            "and source build/devel/setup.bash.") from problem
+            "and source devel/setup.bash.") from problem
 
 
 def __dir__() -> List[str]:

@@ -9,8 +9,13 @@
 int main(int argc, char** argv) {
   if (argc != 2) return 2;
   const std::string folder = argv[1];
-  hexapod::saveRepertoire(folder + "/repertoire_file/seed", hexapod::sampleRepertoire(3),
-                          {{"phase", "done"}});
+  const hexapod::Repertoire repertoire = hexapod::sampleRepertoire(3);
+  hexapod::LearnerState state;
+  state.values = {{"phase", "done"}};
+  state.population.push_back({1, 1, repertoire.entries[0].genome, hexapod::Outcome(), 0, 0.5, 1});
+  state.archive = repertoire.entries;
+  state.dropped = {2};
+  hexapod::saveRepertoire(folder + "/repertoire_file/seed", repertoire, state);
   const auto write = [&](const std::string& name, const std::string& content) {
     std::ofstream(folder + "/" + name, std::ios::binary) << content;
   };

@@ -11,7 +11,7 @@ import xmlrpc.client
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BINARIES = pathlib.Path(os.environ.get("HEXAPOD_BINARIES",
-                                       ROOT / "build/devel/lib/hexapod_repertoire"))
+                                       ROOT / "devel/lib/hexapod_repertoire"))
 NODES = ("repertoire_server", "simulated_robot", "executor", "planner")
 
 

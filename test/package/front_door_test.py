@@ -25,8 +25,9 @@ def fixture_checkout(tmp_path):
     stand_in.mkdir(parents=True)
     (stand_in / "__init__.py").touch()
     (stand_in / "launch.py").write_text("import sys\nprint(sys.argv[1:])\nsys.exit(7)\n")
-    setup = tmp_path / "build" / "devel" / "setup.bash"
+    setup = tmp_path / "devel" / "setup.bash"
     setup.parent.mkdir(parents=True)
+    (tmp_path / "build").mkdir()
     (tmp_path / "build" / "CMakeCache.txt").write_text(
         f"CMAKE_HOME_DIRECTORY:INTERNAL={tmp_path}\n")
     setup.write_text('echo "arguments: $#"; : "$unset_variable"\n/usr/bin/env\n'
@@ -225,7 +226,7 @@ def test_a_failed_build_shows_its_log_and_starts_nothing(checkout):
 @pytest.fixture(name="study_checkout")
 def fixture_study_checkout(checkout):
     """A checkout whose study and report tell how they were called, and end as they are told."""
-    program = checkout / "build" / "devel" / "lib" / "hexapod_repertoire" / "study"
+    program = checkout / "devel" / "lib" / "hexapod_repertoire" / "study"
     program.parent.mkdir(parents=True)
     program.write_text('#!/bin/sh\necho "study: $*"\nexit ${STUDY_ENDS:-0}\n')
     program.chmod(0o755)
@@ -259,7 +260,7 @@ def fixture_campaign_checkout(checkout):
     """A checkout with one campaign, which ends as its last argument says."""
     campaigns = checkout / "test" / "campaigns"
     campaigns.mkdir(parents=True)
-    (checkout / "build" / "devel" / "setup.bash").write_text("")
+    (checkout / "devel" / "setup.bash").write_text("")
     (campaigns / "storm.py").write_text(
         '"""Blows at everything."""\nimport sys\nprint("blew", *sys.argv[1:])\n'
         'print("on the way", file=sys.stderr)\nsys.exit(int(sys.argv[-1]))\n')

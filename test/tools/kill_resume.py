@@ -5,7 +5,7 @@ The instants are drawn from a seed: after how many of its progress lines (one pe
 one per validated entry), and how much later, up to --delay_s.
 
 Example:
-    kill_resume.py --evolve build/devel/lib/hexapod_repertoire/evolve --kills 200 \
+    kill_resume.py --evolve devel/lib/hexapod_repertoire/evolve --kills 200 \
         --evaluations 100000
 """
 import argparse

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <initializer_list>
+
 #include "simulation/reduced/model.h"
 
 namespace hexapod::reduced {

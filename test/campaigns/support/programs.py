@@ -5,7 +5,7 @@ import subprocess
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 BINARIES = pathlib.Path(
-    os.environ.get("HEXAPOD_BINARIES", ROOT / "build/devel/lib/hexapod_repertoire"))
+    os.environ.get("HEXAPOD_BINARIES", ROOT / "devel/lib/hexapod_repertoire"))
 # A run of a second, saved after every generation.
 SMALL = ["--evaluations", "200", "--population_size", "20", "--seed", "1", "--threads", "1",
          "--validation_trials", "1", "--verify_with_ode", "false", "--resimulate", "false",
