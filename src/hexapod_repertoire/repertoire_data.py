@@ -90,9 +90,9 @@ def load(path: str) -> Stored:
         database = sqlite3.connect(f"{file.absolute().as_uri()}?mode=ro", uri=True)
         try:
             meta = dict(database.execute("SELECT key, value FROM meta"))
-            if meta.get("format_version") != "2":
+            if meta.get("format_version") not in ("2", "3"):  # entries and history are alike
                 raise Unreadable(f"{path} has the format version {meta.get('format_version')}; "
-                                 "expected 2. A learner that resumes it writes it anew: ./run learn "
+                                 "expected 2 or 3. A learner that resumes it writes it anew: ./run learn "
                                  f"resume:=true repertoire_file:={path}")
             genomes = [row[0] for row in database.execute("SELECT genome FROM entries ORDER BY id")]
             return Stored(file.name, meta, _table(database, "entries", _COLUMNS), genomes,
