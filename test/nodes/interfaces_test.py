@@ -74,6 +74,8 @@ class Drivers:
             self._subscribers.pop().unregister()
 
     def _obey(self, wire):
+        if not wire:
+            return
         message = JointState(name=[JOINT_OF[name] for name in wire])
         message.header.stamp = rospy.Time.now()
         message.position = [(angle - WIRE[JOINT_OF[name]]["offset_rad"]) *
@@ -112,12 +114,16 @@ def start_session():
 
 
 def whole(wires):
-    """Merges the parts of a command; the newest of each."""
+    """Merges the parts of a command: obeyed when all have come, the newest of each."""
     held = {}
 
     def merge(message):
         held.update(wires(message))
-        return dict(held) if len(held) == len(NAMES) else {}
+        if len(held) < len(NAMES):
+            return {}
+        command = dict(held)
+        held.clear()
+        return command
     return merge
 
 
