@@ -149,6 +149,7 @@ fuzz() {
 check_fuzz() {
   local targets=(fuzzers) names=(urdf yaml repertoire_file message work_message) name failed=0
   build_for_memory
+  rm -rf "$build/fuzz/corpus/seeded_mistake"  # where it was found before, it is not looked for
   for name in "${names[@]}" seeded_mistake; do mkdir -p "$build/fuzz/corpus/$name"; done
   cp urdf/*.urdf "$build/fuzz/corpus/urdf"
   cp config/*.yaml "$build/fuzz/corpus/yaml"

@@ -23,17 +23,17 @@ Symmetry leftRight() {
 }
 
 /// Behaviours that end anywhere within half a metre; simulation is in `doubt` of each.
-struct Behavior {
+struct SimulatedBehavior {
   Genome genome;
   Outcome simulated;
 };
 
-using Field = std::function<Pose2(const Behavior&)>;  // where the robot ends
+using Field = std::function<Pose2(const SimulatedBehavior&)>;  // where the robot ends
 
 class Disparities : public testing::Test {
  protected:
-  Behavior behavior(double doubt = 0.0) {
-    Behavior drawn;
+  SimulatedBehavior behavior(double doubt = 0.0) {
+    SimulatedBehavior drawn;
     drawn.genome.resize(kGenes);
     for (auto& level : drawn.genome) level = static_cast<std::uint8_t>(random_.below(kGeneLevels));
     drawn.genome = canonical(drawn.genome);
@@ -46,7 +46,7 @@ class Disparities : public testing::Test {
   std::vector<RobotTrial> trials(int count, const Field& robot) {
     std::vector<RobotTrial> made;
     for (int i = 0; i < count; ++i) {
-      const Behavior tried = behavior();
+      const SimulatedBehavior tried = behavior();
       made.push_back(
           {0, tried.genome, tried.simulated.end_pose, tried.simulated.cost, robot(tried)});
     }
@@ -57,7 +57,7 @@ class Disparities : public testing::Test {
   double left_m(const DisparityModel& model, const Field& robot) {
     double sum = 0.0;
     for (int i = 0; i < 200; ++i) {
-      const Behavior asked = behavior();
+      const SimulatedBehavior asked = behavior();
       const Disparity expected = model.expected(asked.genome, asked.simulated);
       const Pose2& end = asked.simulated.end_pose;
       const Pose2 measured = robot(asked);
@@ -73,7 +73,7 @@ class Disparities : public testing::Test {
 
 TEST_F(Disparities, ThatGrowWithTheWayAreFoundOfTenTrials) {
   // 12 % short everywhere: 0.12 * 0.41 m in the root mean square over the square of 1 m.
-  const Field robot = [](const Behavior& asked) {
+  const Field robot = [](const SimulatedBehavior& asked) {
     const Pose2& end = asked.simulated.end_pose;
     return Pose2{0.88 * end.x_m, 0.88 * end.y_m, 0.88 * end.yaw_rad};
   };
@@ -82,7 +82,7 @@ TEST_F(Disparities, ThatGrowWithTheWayAreFoundOfTenTrials) {
 }
 
 TEST_F(Disparities, ThatBendOverEndPosesAreFoundOfMany) {
-  const Field robot = [](const Behavior& asked) {
+  const Field robot = [](const SimulatedBehavior& asked) {
     Pose2 end = asked.simulated.end_pose;
     end.y_m += 0.05 * std::cos(4.0 * end.x_m);
     return end;
@@ -94,7 +94,7 @@ TEST_F(Disparities, ThatBendOverEndPosesAreFoundOfMany) {
 
 TEST_F(Disparities, OfOneKindOfGaitAreToldFromThoseOfAnother) {
   // Those in which the first leg moves far end 6 cm to the left.
-  const Field robot = [](const Behavior& asked) {
+  const Field robot = [](const SimulatedBehavior& asked) {
     Pose2 end = asked.simulated.end_pose;
     end.y_m += asked.genome[0] >= 2 ? 0.06 : 0.0;
     return end;
@@ -105,7 +105,7 @@ TEST_F(Disparities, OfOneKindOfGaitAreToldFromThoseOfAnother) {
 }
 
 TEST_F(Disparities, OfImagesAreImagesWhereThatExplainsMore) {
-  const Field robot = [](const Behavior& asked) {
+  const Field robot = [](const SimulatedBehavior& asked) {
     Pose2 end = asked.simulated.end_pose;
     end.x_m -= 0.05 * std::cos(5.0 * end.y_m);  // even
     end.y_m += 0.05 * std::sin(5.0 * end.y_m);  // odd
@@ -116,7 +116,7 @@ TEST_F(Disparities, OfImagesAreImagesWhereThatExplainsMore) {
   scales_.symmetries = {leftRight()};
   const DisparityModel symmetric(scales_, 4.0, tried);
   EXPECT_LT(left_m(symmetric, robot), 0.9 * left_m(plain, robot));
-  const Behavior asked = behavior();
+  const SimulatedBehavior asked = behavior();
   const Disparity one = symmetric.expected(asked.genome, asked.simulated);
   const Disparity other =
       symmetric.expected(leftRight().image(asked.genome), leftRight().image(asked.simulated));
@@ -126,7 +126,7 @@ TEST_F(Disparities, OfImagesAreImagesWhereThatExplainsMore) {
 
 TEST_F(Disparities, OfALopsidedRobotAreNotMirrored) {
   scales_.symmetries = {leftRight()};
-  const Field robot = [](const Behavior& asked) {
+  const Field robot = [](const SimulatedBehavior& asked) {
     Pose2 end = asked.simulated.end_pose;
     end.y_m += 0.05;
     return end;
@@ -139,14 +139,14 @@ TEST_F(Disparities, AreLargerInDoubtWhereSimulationIs) {
   std::vector<RobotTrial> tried;
   for (int i = 0; i < 60; ++i) {
     const double doubt = i % 2 == 0 ? 0.0 : 0.1;
-    const Behavior one = behavior(doubt);
+    const SimulatedBehavior one = behavior(doubt);
     Pose2 end = one.simulated.end_pose;
     end.x_m += (0.001 + 0.4 * doubt) * random_.normal();
     end.y_m += (0.001 + 0.4 * doubt) * random_.normal();
     tried.push_back({0, one.genome, one.simulated.end_pose, one.simulated.cost, end});
   }
   const DisparityModel model(scales_, 4.0, tried);
-  Behavior asked = behavior();
+  SimulatedBehavior asked = behavior();
   const double sure_m = model.expected(asked.genome, asked.simulated).deviation_m;
   const double sure_cost = model.disparity(asked.genome, asked.simulated);
   asked.simulated.cost += 0.1;
@@ -159,10 +159,10 @@ TEST_F(Disparities, AreLargerInDoubtWhereSimulationIs) {
 }
 
 TEST_F(Disparities, CostTheirRootMeanSquareTimesTheWeight) {
-  const DisparityModel model(scales_, 4.0, trials(10, [](const Behavior& asked) {
+  const DisparityModel model(scales_, 4.0, trials(10, [](const SimulatedBehavior& asked) {
                                return Pose2{0.8 * asked.simulated.end_pose.x_m, 0.0, 0.0};
                              }));
-  const Behavior asked = behavior();
+  const SimulatedBehavior asked = behavior();
   const Disparity expected = model.expected(asked.genome, asked.simulated);
   const double square_m2 = std::pow(expected.shift.x_m, 2) + std::pow(expected.shift.y_m, 2) +
                            std::pow(expected.deviation_m, 2);
@@ -170,13 +170,13 @@ TEST_F(Disparities, CostTheirRootMeanSquareTimesTheWeight) {
 }
 
 TEST_F(Disparities, MoveWhatIsExpectedOfAnEntryAndWidenItsSpread) {
-  const DisparityModel model(scales_, 4.0, trials(20, [](const Behavior& asked) {
+  const DisparityModel model(scales_, 4.0, trials(20, [](const SimulatedBehavior& asked) {
                                Pose2 end = asked.simulated.end_pose;
                                end.x_m += 0.05;
                                end.yaw_rad += 0.1;
                                return end;
                              }));
-  const Behavior asked = behavior();
+  const SimulatedBehavior asked = behavior();
   Entry entry;
   entry.genome = asked.genome;
   entry.end_pose = asked.simulated.end_pose;
@@ -192,8 +192,8 @@ TEST_F(Disparities, MoveWhatIsExpectedOfAnEntryAndWidenItsSpread) {
 }
 
 TEST_F(Disparities, OfOneThatFellLeaveItOutAndCostWhatItDidNotWalk) {
-  auto tried = trials(20, [](const Behavior& asked) { return asked.simulated.end_pose; });
-  Behavior fallen = behavior();
+  auto tried = trials(20, [](const SimulatedBehavior& asked) { return asked.simulated.end_pose; });
+  SimulatedBehavior fallen = behavior();
   fallen.simulated = walkedTo({0.4, 0.0, 0.0});
   const double before =
       DisparityModel(scales_, 4.0, tried).disparity(fallen.genome, fallen.simulated);
