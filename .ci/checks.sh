@@ -78,29 +78,17 @@ core_stations() {
     sed 's:^test/::' | grep -vx ros_interface | sort
 }
 
-# Configures build/<name> for the given compiler and flags and builds the targets in targets[@]: many
-# sources in one go, where names allow, and what tests themselves do is not optimised, since
-# compiling takes longer than running. A second build of the same name waits for the first.
+# Configures build/<name> with the given compiler flags and builds the targets in targets[@].
 build_sanitized() {
-  local name=$1 compiler=$2 flags=$3 log="$build/$1 ${targets[0]}.log"
-  shift 3
+  local name=$1 flags=$2
+  shift 2
   use_compiler_cache
-  mkdir -p "$build/$name"
-  if ! (
-    flock 9 &&
-      cmake -S "$root" -B "$build/$name" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-        -DCMAKE_CXX_COMPILER="$compiler" -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1 $flags" \
-        -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12 -DTEST_FLAGS=-O0 "$@" &&
-      cmake --build "$build/$name" -j"$(parallel_jobs)" --target "${targets[@]}"
-  ) 9>"$build/$name/.lock" >"$log" 2>&1; then
-    tail -n 60 "$log" >&2
-    fail "the build failed; the whole log is $log"
-  fi
-}
-
-# The build of both address and fuzz.
-build_for_memory() {
-  build_sanitized memory clang++ "-fsanitize=fuzzer-no-link,address,undefined $strict" -DFUZZERS=ON
+  cmake -S "$root" -B "$build/$name" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1 $flags" "$@" >"$build/$name.log" 2>&1 &&
+    cmake --build "$build/$name" -j"$(parallel_jobs)" --target "${targets[@]}" \
+      >>"$build/$name.log" 2>&1 && return
+  tail -n 60 "$build/$name.log" >&2
+  fail "the build failed; the whole log is $build/$name.log"
 }
 
 # The tests of the core find no memory error and no undefined behaviour. Left out are those that do the
@@ -110,20 +98,20 @@ check_address() {
   local stations targets
   mapfile -t stations < <(core_stations)
   mapfile -t targets < <(test_programs "${stations[@]}")
-  build_for_memory
+  build_sanitized address "-fsanitize=address,undefined $strict" \
+    -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
   local again='ImportedRobots.*:*/ShippedRobots.*:ReducedOracle.EndsBehavioursWhereOdeDoes'
   again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*'
-  (cd "$build/memory" && export GTEST_FILTER="-$again" &&
+  (cd "$build/address" && export GTEST_FILTER="-$again" &&
     export LSAN_OPTIONS="suppressions=$root/.ci/address.supp" &&
-    ctest --output-on-failure --no-tests=error -j"$(nproc)" \
-      -R "gtest_($(IFS='|' && echo "${targets[*]}"))\$")
+    ctest --output-on-failure -j"$(nproc)" -R "^($(IFS='|' && echo "${targets[*]}"))\$")
 }
 
 # The unit tests of executor and nodes find no data race.
 check_threads() {
   local targets program core failed=0
   mapfile -t targets < <(test_programs execution ros_interface)
-  build_sanitized threads g++ '-fsanitize=thread'
+  build_sanitized threads '-fsanitize=thread'
   core=$(sed -nE 's/^Cpus_allowed_list:\s*([0-9]+).*/\1/p' /proc/self/status)
   for program in "${targets[@]}"; do
     # A sanitizer needs addresses that some kernels spread too wide (setarch). On one core TBB, whose
@@ -139,7 +127,7 @@ check_threads() {
 # Runs one fuzzer from its seeds for a while.
 fuzz() {
   local name=$1 folder=$build/fuzz/corpus/$1
-  LSAN_OPTIONS="suppressions=$root/.ci/address.supp" "$build/memory/fuzz_$name" \
+  LSAN_OPTIONS="suppressions=$root/.ci/address.supp" "$build/fuzz/fuzz_$name" \
     -max_total_time="$fuzz_seconds" -timeout=10 -rss_limit_mb=4096 \
     -artifact_prefix="$build/fuzz/$name-" -verbosity=0 -print_final_stats=0 "$folder" \
     >"$build/fuzz/$name.log" 2>&1
@@ -149,12 +137,13 @@ fuzz() {
 # that was made on purpose is found.
 check_fuzz() {
   local targets=(fuzzers) names=(urdf yaml repertoire_file message work_message) name failed=0
-  build_for_memory
-  rm -rf "$build/fuzz/corpus/seeded_mistake"  # where it was found before, it is not looked for
+  build_sanitized fuzz "-fsanitize=fuzzer-no-link,address,undefined $strict \
+-DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION" \
+    -DCMAKE_CXX_COMPILER=clang++ -DFUZZERS=ON
   for name in "${names[@]}" seeded_mistake; do mkdir -p "$build/fuzz/corpus/$name"; done
   cp urdf/*.urdf "$build/fuzz/corpus/urdf"
   cp config/*.yaml "$build/fuzz/corpus/yaml"
-  "$build/memory/fuzz_seeds" "$build/fuzz/corpus"
+  "$build/fuzz/fuzz_seeds" "$build/fuzz/corpus"
   export -f fuzz
   export root build fuzz_seconds
   # shellcheck disable=SC2016  # the inner shell expands it
