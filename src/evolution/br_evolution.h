@@ -44,9 +44,8 @@ namespace hexapod {
 ///   archive_tournament the best aligned of the entries around such a one.
 /// - novelty_decay: the novelty threshold goes down as candidates are evaluated.
 /// - candidates: a generation has more of them, or fewer, than the population individuals.
-/// - judgeBy(): transferability is a third objective of the selection, and part of what is
-/// compared
-///   in local competition and by the archive.
+/// - judgeBy(): transferability is a third objective of the selection, and part of what local
+///   competition and the archive compare.
 /// And in a task with further looks only individuals whose outcome is final are offered to the
 /// archive. Of parents and candidates those are looked at again, and yet again, that the archive of
 /// that moment would take by the outcome they have, themselves or a twin of theirs; who turns out
