@@ -5,11 +5,11 @@
 #include <utility>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 
 namespace hexapod {
 namespace {
 
-constexpr double kDegrees = 180.0 / M_PI;
 // Deviations to either side that hold 95 % of a normal distribution.
 constexpr double kInterval = 1.96;
 
@@ -35,7 +35,7 @@ std::string errorRow(const Calibration& calibration, bool is_check, const std::s
   const MedianMiss after = medianOf(calibration.missesOf(calibration.after, is_check));
   const auto text = [](const MedianMiss& miss) {
     return fixedText(1e3 * miss.position_m, 1) + " mm, " +
-           fixedText(kDegrees * miss.heading_rad, 2) + " deg";
+           fixedText(miss.heading_rad / kDegree, 2) + " deg";
   };
   return "| " + name + " | " + text(before) + " | " + text(after) + " |\n";
 }

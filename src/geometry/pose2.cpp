@@ -45,7 +45,7 @@ bool isFinite(const Pose2& pose) {
 
 std::string poseText(const Pose2& pose) {
   return "(" + fixedText(pose.x_m, 2) + " m, " + fixedText(pose.y_m, 2) + " m, " +
-         fixedText(pose.yaw_rad * 180.0 / M_PI, 0) + " deg)";
+         fixedText(pose.yaw_rad / kDegree, 0) + " deg)";
 }
 
 Pose2 footprint(const Eigen::Isometry3d& world_from_body) {

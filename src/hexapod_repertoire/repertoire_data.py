@@ -92,8 +92,8 @@ def load(path: str) -> Stored:
             meta = dict(database.execute("SELECT key, value FROM meta"))
             if meta.get("format_version") not in ("2", "3"):  # entries and history are alike
                 raise Unreadable(f"{path} has the format version {meta.get('format_version')}; "
-                                 "expected 2 or 3. A learner that resumes it writes it anew: ./run learn "
-                                 f"resume:=true repertoire_file:={path}")
+                                 "expected 2 or 3. A run that begins with its entries writes it "
+                                 f"anew: ./run evolve --file new.db --from {path}")
             genomes = [row[0] for row in database.execute("SELECT genome FROM entries ORDER BY id")]
             return Stored(file.name, meta, _table(database, "entries", _COLUMNS), genomes,
                           _table(database, "history", _HISTORY))

@@ -5,11 +5,10 @@
 #include <cstdint>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 
 namespace hexapod {
 namespace {
-
-constexpr double kDegrees = 180.0 / M_PI;
 
 std::string timeLeft(const LearningStatus& status) {
   return fixedText(status.left_s, 0) + " s left";
@@ -29,7 +28,7 @@ std::string describeBriefly(const LearningStatus& status) {
   std::string text;
   if (status.last.evaluations > 0) {
     text = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
-           fixedText(status.last.median_orientation_error_rad * kDegrees, 2) + " deg, ";
+           fixedText(status.last.median_orientation_error_rad / kDegree, 2) + " deg, ";
   }
   text += std::to_string(status.entries) + " entries, ";
   if (status.trials > 0) text += std::to_string(status.trials) + " tried on the robot, ";
@@ -59,12 +58,12 @@ std::string describe(const LearningStatus& status) {
   if (status.last.evaluations > 0) {
     line += ", sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) +
             " cm, orientation error " +
-            fixedText(status.last.median_orientation_error_rad * kDegrees, 2) +
+            fixedText(status.last.median_orientation_error_rad / kDegree, 2) +
             " deg where it learned";
   }
   if (status.last.held_out) {
     line += " (" + fixedText(100.0 * status.last.held_out->sparseness_m, 2) + " cm, " +
-            fixedText(status.last.held_out->median_orientation_error_rad * kDegrees, 2) +
+            fixedText(status.last.held_out->median_orientation_error_rad / kDegree, 2) +
             " deg in other worlds)";
   }
   return line + "; " + std::to_string(status.simulations) + " simulations, " +

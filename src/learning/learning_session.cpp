@@ -8,6 +8,7 @@
 
 #include "common/half_decade.h"
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "learning/learning_report.h"
 #include "learning/resume.h"
 #include "learning/time_left.h"
@@ -78,9 +79,8 @@ std::string describeTrial(const RobotTrial& trial, std::size_t number, std::int6
   const std::string start =
       "Trial " + std::to_string(number) + ": entry " + std::to_string(entry_id);
   if (!trial.measured) return start + " fell.";
-  constexpr double kDegrees = 180.0 / M_PI;
   return start + " ended " + fixedText(1e3 * distance(trial.simulated, *trial.measured), 0) +
-         " mm, " + fixedText(kDegrees * headingDistance(trial.simulated, *trial.measured), 1) +
+         " mm, " + fixedText(headingDistance(trial.simulated, *trial.measured) / kDegree, 1) +
          " deg from where it does in simulation.";
 }
 

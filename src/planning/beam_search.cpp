@@ -17,7 +17,9 @@ constexpr std::int64_t kLeastImprovement = 40000;
 // well it ends is settled when few are left.
 constexpr double kAsExpected = 0.3;
 constexpr double kAsExpectedFar = 1.0;
-// One more move than were left ends better: a chain is taken at once that costs so much more.
+// Where only so many moves are left and miss, a chain of one more is taken at once if it costs at
+// most so much more: it then ends better than was expected.
+constexpr std::size_t kLastMoves = 2;
 constexpr double kOneMore = 0.85;
 // A new one may have so many moves more than what is left of the earlier one; but where few are
 // left a better one is soon found.
@@ -80,7 +82,7 @@ bool BeamSearch::keepsEarlier() {
   }
   if (steps >= 2 && nodes.size() > steps - 2) finish_.withTwo(nodes[steps - 2]);
   if (isAsExpected()) return true;
-  if (steps <= 2 && findsOneMoreMove()) return true;
+  if (steps <= kLastMoves && findsOneMoreMove()) return true;
   if (steps >= 4 && nodes.size() > steps - 3) {
     exchangeEnd(nodes[steps - 3], steps > kShort ? mostExpected() : -GoalFinish::kInfinity);
   }
@@ -112,7 +114,7 @@ double BeamSearch::mostExpected() const {
 /// Of a chain of which little was left.
 bool BeamSearch::addedOneMove() const {
   const std::size_t steps = problem_.earlier.size();
-  return steps <= 2 && tree_.steps(finish_.best()) > static_cast<int>(steps);
+  return steps <= kLastMoves && tree_.steps(finish_.best()) > static_cast<int>(steps);
 }
 
 /// Good enough to leave it at that in the middle of a walk.
@@ -121,15 +123,14 @@ bool BeamSearch::isAsGoodAsEarlier() const {
          tree_.steps(finish_.best()) <= static_cast<int>(problem_.earlier.size()) + kLonger;
 }
 
-/// After all chains of as many moves as are left, one or two, were seen and none is as expected:
-/// whether one of a move more is.
+/// Whether a chain of a move more than are left, which miss, is good enough (kOneMore).
 bool BeamSearch::findsOneMoreMove() {
   finish_.withOne(0, GoalFinish::kWidestOne_m, GoalFinish::kWidestOne_rad);
   ruleOut(1, finish_.seesAllPairs());
   finish_.withTwo(0);
   ruleOut(2, finish_.seesAllPairs());
   const double enough = problem_.earlier_price + kOneMore;
-  if (problem_.earlier.size() == 2) exchangeEnd(0, enough);
+  if (problem_.earlier.size() == kLastMoves) exchangeEnd(0, enough);
   return finish_.best().price <= enough;
 }
 

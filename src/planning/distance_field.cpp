@@ -10,7 +10,7 @@ namespace {
 constexpr float kNothing = std::numeric_limits<float>::infinity();
 // Of points, where maps are small enough.
 constexpr double kWidest_m = 0.05;
-constexpr double kMostSamples = 4e6;
+constexpr double kMostPoints = 4e6;
 
 double squared(double value) { return value * value; }
 
@@ -62,7 +62,7 @@ std::size_t pointsPerCell(const OccupancyMap& map) {
   const auto cells = static_cast<double>(map.cells.size());
   const double pairs = std::clamp(std::ceil(map.resolution_m / kWidest_m - 1e-9), 1.0, 1000.0);
   std::size_t points = 2 * static_cast<std::size_t>(pairs);
-  while (points > 1 && cells * squared(static_cast<double>(points)) > kMostSamples) {
+  while (points > 1 && cells * squared(static_cast<double>(points)) > kMostPoints) {
     points -= points > 2 ? 2 : 1;
   }
   return points;

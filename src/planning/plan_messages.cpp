@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 
 namespace hexapod {
 namespace {
@@ -130,7 +131,7 @@ std::string describe(const PlanResult& result, const PlanRequest& request,
     return "The goal is within tolerance of the start: no behaviour is needed.";
   }
   std::string end =
-      text(result.distance_m) + " m and " + text(result.heading_rad * 180.0 / M_PI) + " deg from ";
+      text(result.distance_m) + " m and " + text(result.heading_rad / kDegree) + " deg from ";
   if (distance(result.world_from_target, request.world_from_goal) > 0.0) {
     end += poseText(result.world_from_target) + ", the nearest free pose to ";
   }

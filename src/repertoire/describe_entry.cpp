@@ -4,12 +4,13 @@
 
 #include "common/text.h"
 #include "geometry/arc.h"
+#include "geometry/pose2.h"
 
 namespace hexapod {
 namespace {
 
 std::string inDegrees(double angle_rad, int decimals) {
-  return fixedText(angle_rad * 180.0 / M_PI, decimals) + " deg";
+  return fixedText(angle_rad / kDegree, decimals) + " deg";
 }
 
 std::string inWords(const Pose2& pose) {

@@ -22,6 +22,10 @@ void Digest::add(const std::string& value) {
   for (const char character : value) addByte(static_cast<unsigned char>(character));
 }
 
+void Digest::add(const Pose2& pose) {
+  for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) add(value);
+}
+
 std::string Digest::text() const {
   std::string digits;
   for (int shift = 60; shift >= 0; shift -= 4) digits += "0123456789abcdef"[(hash_ >> shift) & 15];

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "repertoire/repertoire_file.h"
 
 namespace hexapod {
@@ -133,7 +134,7 @@ std::vector<Option> declareOptions(ImportOptions& options) {
 Repertoire importCsv(std::istream& text, const std::string& name, const ImportOptions& options) {
   const std::map<std::string, double> metres = {{"m", 1.0}, {"cm", 0.01}, {"mm", 0.001}};
   const double unit_m = metres.at(options.length_unit);
-  const double unit_rad = options.angle_unit == "deg" ? M_PI / 180.0 : 1.0;
+  const double unit_rad = options.angle_unit == "deg" ? kDegree : 1.0;
   Repertoire repertoire = emptyFrom(name);
   std::vector<std::size_t> columns = {0, 1, 2};
   std::size_t number = 0;

@@ -22,16 +22,6 @@ Verdict verdictFrom(const std::string& text) {
   fail("a verdict in the table population", "'" + text + "'");
 }
 
-void bindPose(int first_parameter, const Pose2& pose, SqliteStatement& insert) {
-  insert.bind(first_parameter, pose.x_m);
-  insert.bind(first_parameter + 1, pose.y_m);
-  insert.bind(first_parameter + 2, pose.yaw_rad);
-}
-
-void add(const Pose2& pose, Digest& digest) {
-  for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) digest.add(value);
-}
-
 void insertPopulation(const std::vector<KeptIndividual>& population, SqliteDatabase& database) {
   SqliteStatement insert(database, std::string("INSERT INTO population(") + kPopulationColumns +
                                        ") VALUES (?,?,?,?,?,?,?,?,?,?,?)");
@@ -132,14 +122,14 @@ void add(const LearnerState& state, Digest& digest) {
     }
     digest.add(toString(individual.genotype));
     digest.add(toString(individual.outcome.verdict));
-    add(individual.outcome.end_pose, digest);
+    digest.add(individual.outcome.end_pose);
     digest.add(individual.outcome.cost);
     digest.add(individual.diversity);
   }
   for (const Entry& entry : state.archive) {
     digest.add(entry.id);
     digest.add(toString(entry.genome));
-    add(entry.end_pose, digest);
+    digest.add(entry.end_pose);
     digest.add(entry.cost);
     digest.add(entry.evaluation);
     digest.add(static_cast<std::int64_t>(state.dropped.count(entry.id)));

@@ -10,19 +10,15 @@
 namespace hexapod {
 namespace {
 
-void add(const Pose2& pose, Digest& digest) {
-  for (const double value : {pose.x_m, pose.y_m, pose.yaw_rad}) digest.add(value);
-}
-
 void add(const Entry& entry, Digest& digest) {
   digest.add(entry.id);
   digest.add(std::string(entry.genome.begin(), entry.genome.end()));
-  add(entry.end_pose, digest);
+  digest.add(entry.end_pose);
   digest.add(entry.cost);
   digest.add(entry.evaluation);
   digest.add(static_cast<std::int64_t>(entry.execution.has_value()));
   if (!entry.execution) return;
-  add(entry.execution->mean, digest);
+  digest.add(entry.execution->mean);
   digest.add(entry.execution->spread_m);
   digest.add(entry.execution->spread_rad);
   digest.add(static_cast<std::int64_t>(entry.execution->trials));
@@ -75,10 +71,10 @@ std::string digestOf(const std::vector<RobotTrial>& trials) {
   for (const RobotTrial& trial : trials) {
     digest.add(trial.evaluation);
     digest.add(std::string(trial.genome.begin(), trial.genome.end()));
-    add(trial.simulated, digest);
+    digest.add(trial.simulated);
     digest.add(trial.cost);
     digest.add(static_cast<std::int64_t>(trial.measured.has_value()));
-    if (trial.measured) add(*trial.measured, digest);
+    if (trial.measured) digest.add(*trial.measured);
   }
   return digest.text();
 }

@@ -9,6 +9,7 @@
 #include "common/text.h"
 #include "repertoire/learner_tables.h"
 #include "repertoire/repertoire_rows.h"
+#include "repertoire/typed_rows.h"
 
 namespace hexapod {
 namespace {
@@ -94,9 +95,7 @@ void bindExecution(const Entry& entry, SqliteStatement& insert) {
     return;
   }
   const Execution& execution = *entry.execution;
-  insert.bind(8, execution.mean.x_m);
-  insert.bind(9, execution.mean.y_m);
-  insert.bind(10, execution.mean.yaw_rad);
+  bindPose(8, execution.mean, insert);
   insert.bind(11, execution.spread_m);
   insert.bind(12, execution.spread_rad);
   insert.bind(13, static_cast<std::int64_t>(execution.trials));
@@ -109,9 +108,7 @@ void insertEntries(const std::vector<Entry>& entries, SqliteDatabase& database) 
   for (const Entry& entry : entries) {
     insert.bind(1, entry.id);
     insert.bind(2, toString(entry.genome));
-    insert.bind(3, entry.end_pose.x_m);
-    insert.bind(4, entry.end_pose.y_m);
-    insert.bind(5, entry.end_pose.yaw_rad);
+    bindPose(3, entry.end_pose, insert);
     insert.bind(6, entry.cost);
     insert.bind(7, entry.evaluation);
     bindExecution(entry, insert);
@@ -151,14 +148,10 @@ void insertTrials(const std::vector<RobotTrial>& trials, SqliteDatabase& databas
   for (const RobotTrial& trial : trials) {
     insert.bind(1, trial.evaluation);
     insert.bind(2, toString(trial.genome));
-    insert.bind(3, trial.simulated.x_m);
-    insert.bind(4, trial.simulated.y_m);
-    insert.bind(5, trial.simulated.yaw_rad);
+    bindPose(3, trial.simulated, insert);
     insert.bind(6, trial.cost);
     if (trial.measured) {
-      insert.bind(7, trial.measured->x_m);
-      insert.bind(8, trial.measured->y_m);
-      insert.bind(9, trial.measured->yaw_rad);
+      bindPose(7, *trial.measured, insert);
     } else {
       for (int parameter = 7; parameter <= 9; ++parameter) insert.bindNull(parameter);
     }

@@ -35,6 +35,12 @@ Pose2 poseAt(const SqliteStatement& row, int first_column, const std::string& na
           realAt(row, first_column + 2, name)};
 }
 
+void bindPose(int first_parameter, const Pose2& pose, SqliteStatement& insert) {
+  insert.bind(first_parameter, pose.x_m);
+  insert.bind(first_parameter + 1, pose.y_m);
+  insert.bind(first_parameter + 2, pose.yaw_rad);
+}
+
 void requireCount(SqliteDatabase& database, const std::string& table) {
   const std::int64_t rows = database.integer("SELECT count(*) FROM " + table);
   if (rows > kMaxEntries) {

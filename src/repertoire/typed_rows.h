@@ -14,8 +14,11 @@ namespace hexapod {
 double realAt(const SqliteStatement& row, int column, const std::string& name);
 std::int64_t integerAt(const SqliteStatement& row, int column, const std::string& name);
 Genome genomeAt(const SqliteStatement& row, int column, const std::string& name);
-/// x, y and heading in three columns.
+/// x, y and heading in three columns; and the way there.
+/// @{
 Pose2 poseAt(const SqliteStatement& row, int first_column, const std::string& name);
+void bindPose(int first_parameter, const Pose2& pose, SqliteStatement& insert);
+/// @}
 
 /// Refuses a table of more rows than a repertoire may have entries.
 void requireCount(SqliteDatabase& database, const std::string& table);

@@ -7,6 +7,7 @@
 
 #include "common/text.h"
 #include "evaluation/chains.h"
+#include "geometry/pose2.h"
 #include "learning/relearning.h"
 #include "repertoire/metrics.h"
 #include "repertoire/steadiness.h"
@@ -15,7 +16,6 @@ namespace hexapod {
 namespace {
 
 constexpr double kWithin = 0.3;
-constexpr double kDegrees = 180.0 / M_PI;
 constexpr ChainOptions kChains{10, 500, 1};
 // A repertoire chains as well as another that misses by at most so much more.
 constexpr double kAsWell = 1.25;
@@ -28,7 +28,7 @@ std::string scalesText(const BodyVector& body) {
 }
 
 std::string missText(const MedianMiss& miss) {
-  return fixedText(1e3 * miss.position_m, 1) + " mm, " + fixedText(kDegrees * miss.heading_rad, 2) +
+  return fixedText(1e3 * miss.position_m, 1) + " mm, " + fixedText(miss.heading_rad / kDegree, 2) +
          " deg";
 }
 

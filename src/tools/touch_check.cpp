@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "geometry/pose2.h"
+
 namespace hexapod {
 
 TouchCheck::TouchCheck(const OccupancyMap& map)
@@ -47,7 +49,7 @@ double TouchCheck::clearanceAlong_m(const std::vector<Pose2>& world_from_robots,
     const Pose2& to = world_from_robots[i];
     const double turn_rad = wrapAngle(to.yaw_rad - from.yaw_rad);
     const int count =
-        1 + static_cast<int>(distance(from, to) / 0.004 + std::abs(turn_rad) / (M_PI / 180.0));
+        1 + static_cast<int>(distance(from, to) / 0.004 + std::abs(turn_rad) / kDegree);
     for (int k = 0; k <= count; ++k) {
       const double share = static_cast<double>(k) / count;
       const Pose2 pose{from.x_m + share * (to.x_m - from.x_m),

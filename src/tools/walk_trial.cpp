@@ -5,6 +5,7 @@
 
 #include "common/text.h"
 #include "gait/behavior.h"
+#include "geometry/pose2.h"
 #include "simulation/rollout.h"
 #include "simulation/swept_footprint.h"
 #include "tools/touch_check.h"
@@ -97,7 +98,7 @@ std::string describe(const std::string& name, const std::vector<WalkTrial>& tria
     behaviors += trial.behaviors;
     touched += trial.clearance_m < 0.0 ? 1 : 0;
     distances.push_back(100.0 * trial.distance_m);
-    headings.push_back(trial.heading_rad * 180.0 / M_PI);
+    headings.push_back(trial.heading_rad / kDegree);
     clearances.push_back(-100.0 * trial.clearance_m);
   }
   const auto pair = [](std::vector<double> values, double sign) {

@@ -7,6 +7,7 @@
 
 #include "common/text.h"
 #include "geometry/arc.h"
+#include "geometry/pose2.h"
 #include "repertoire/describe_entry.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/display/marker_parts.h"
@@ -22,7 +23,7 @@ constexpr double kRing_m = 0.025;
 constexpr double kHeading_m = 0.08;
 
 std::string inDegrees(double angle_rad, int decimals) {
-  return fixedText(angle_rad * 180.0 / M_PI, decimals) + " deg";
+  return fixedText(angle_rad / kDegree, decimals) + " deg";
 }
 
 Marker arcOf(const EntryPicture& picture) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/arc.h"
+#include "geometry/pose2.h"
 #include "ros_interface/display/marker_parts.h"
 
 namespace hexapod {
@@ -11,7 +12,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kWorstShown_rad = 10.0 * M_PI / 180.0;
+constexpr double kWorstShown_rad = 10.0 * kDegree;
 constexpr double kDiscRadius_m = 0.008;
 constexpr double kNeedle_m = 0.025;
 constexpr double kDiscsAt_m = 0.005;

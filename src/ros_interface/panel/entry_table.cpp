@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/pose2.h"
+
 namespace hexapod {
 namespace {
 
@@ -21,7 +23,7 @@ const std::array<Column, 6>& columns() {
       {"id", 0, [](const Line& line) { return static_cast<double>(line.id); }},
       {"x [m]", 2, [](const Line& line) { return line.end.x_m; }},
       {"y [m]", 2, [](const Line& line) { return line.end.y_m; }},
-      {"yaw [deg]", 0, [](const Line& line) { return line.end.yaw_rad * 180.0 / M_PI; }},
+      {"yaw [deg]", 0, [](const Line& line) { return line.end.yaw_rad / kDegree; }},
       {"error [deg]", 2, [](const Line& line) { return line.error_deg; }},
       {"spread [cm]", 2,
        [](const Line& line) {

@@ -9,6 +9,8 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/pose2.h"
+
 namespace hexapod {
 namespace {
 
@@ -115,7 +117,7 @@ void RepertoireTab::chooseAt(const QModelIndex& index, bool play) {
 }
 
 EntryFilter RepertoireTab::filter() const {
-  return {limitOf(*max_error_deg_, M_PI / 180.0), limitOf(*max_spread_cm_, 0.01)};
+  return {limitOf(*max_error_deg_, kDegree), limitOf(*max_spread_cm_, 0.01)};
 }
 
 void RepertoireTab::show(const PanelModel& model) {

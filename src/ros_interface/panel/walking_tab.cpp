@@ -4,6 +4,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "geometry/pose2.h"
 #include "ros_interface/common/conversions.h"
 #include "ros_interface/common/names.h"
 
@@ -64,7 +65,7 @@ WalkingTab::WalkingTab(const Orders& orders, QWidget* parent)
 geometry_msgs::PoseStamped WalkingTab::goal() const {
   geometry_msgs::PoseStamped goal;
   goal.header.frame_id = frame_->text().trimmed().toStdString();
-  goal.pose = toPoseMsg(Pose2{x_m_->value(), y_m_->value(), yaw_deg_->value() * M_PI / 180.0});
+  goal.pose = toPoseMsg(Pose2{x_m_->value(), y_m_->value(), yaw_deg_->value() * kDegree});
   return goal;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "common/text.h"
+#include "geometry/pose2.h"
 #include "hexapod_repertoire/StepReport.h"
 #include "hexapod_repertoire/WalkSummary.h"
 #include "planning/path.h"
@@ -41,7 +42,7 @@ std::string describe(const WalkReport& report) {
                      " s, " + fixedText(tally.distance_m, 2) + " m";
   if (tally.measured > 0) {
     line += ", " + fixedText(100.0 * tally.xy_error_m, 1) + " cm and " +
-            fixedText(tally.yaw_error_rad * 180.0 / M_PI, 1) +
+            fixedText(tally.yaw_error_rad / kDegree, 1) +
             " deg from what was predicted in the mean, planned otherwise " +
             counted(tally.replans, "time");
   }
