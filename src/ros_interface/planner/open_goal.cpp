@@ -25,7 +25,12 @@ bool OpenGoal::accept(const WalkReport& report, const WalkGoal& goal,
 
 void OpenGoal::note(const WalkReport& so_far) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  so_far_ = so_far;
+  WalkReport report = so_far;
+  if (ended_) {  // how it ended is not for who walks to say any more
+    report.code = so_far_.code;
+    report.message = so_far_.message;
+  }
+  so_far_ = std::move(report);
 }
 
 void OpenGoal::tellProgress(const WalkProgress& progress) {
