@@ -18,6 +18,7 @@ from hexapod_repertoire.waiting import Asker, Latest, Silence
 
 COMMAND_TYPES = {"sensor_msgs/JointState", "trajectory_msgs/JointTrajectory",
                  "std_msgs/Float64MultiArray", "std_msgs/Float64"}
+TRIES = 3  # at moving a joint without a skipped command
 NO_EXECUTOR = ("No executor answers on executor/state; start one for your robot: ./run walk "
                "simulated:=false, with its urdf_file, robot_config and executor_config.")
 
@@ -126,14 +127,7 @@ def move(programs: pathlib.Path, is_confirmed: bool, waits: bool) -> int:
     faults, seen = 0, False
     for movement in joint_check.movements(robot):
         print(joint_check.sentence(movement), flush=True)
-        try:
-            result = executor.ask(ExecuteBehaviorGoal(
-                entry_id=-1, genome=movement.genome, gene_levels=joint_check.GENE_LEVELS,
-                joints=[movement.joint]))
-        except (KeyboardInterrupt, rospy.ROSInterruptException):
-            executor.cancel()
-            raise
-        # With a command left out the joint still went from end to end.
+        result = swing(executor, movement)
         if result.code not in (ExecuteBehaviorResult.SUCCEEDED, ExecuteBehaviorResult.SKIPPED):
             print(f"It was not played: {result.message}", file=sys.stderr)
             return 1
@@ -144,6 +138,22 @@ def move(programs: pathlib.Path, is_confirmed: bool, waits: bool) -> int:
             faults += 1
     print(conclusion(faults, seen))
     return 1 if faults else 0
+
+
+def swing(executor: Asker, movement: joint_check.Movement) -> Any:
+    """The executor's result. Where commands were skipped, what came after them was far away and made
+    other joints give way: the joint is moved again."""
+    for _ in range(TRIES):
+        try:
+            result = executor.ask(ExecuteBehaviorGoal(
+                entry_id=-1, genome=movement.genome, gene_levels=joint_check.GENE_LEVELS,
+                joints=[movement.joint]))
+        except (KeyboardInterrupt, rospy.ROSInterruptException):
+            executor.cancel()
+            raise
+        if result.code != ExecuteBehaviorResult.SKIPPED:
+            break
+    return result
 
 
 def conclusion(faults: int, seen: bool) -> str:
