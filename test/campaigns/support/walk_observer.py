@@ -109,11 +109,12 @@ def wait_for_master(timeout_s=60.0):
 
 
 def main():
+    answers, sys.stdout = sys.stdout, sys.stderr  # rospy prints what it logs
     wait_for_master()
     rospy.init_node("walk_observer", disable_signals=True)
     observer = Observer()
     for line in sys.stdin:
-        print(json.dumps({"problem": observer.answer(line.split())}), flush=True)
+        print(json.dumps({"problem": observer.answer(line.split())}), file=answers, flush=True)
 
 
 if __name__ == "__main__":
