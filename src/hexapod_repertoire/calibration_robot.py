@@ -20,6 +20,7 @@ from hexapod_repertoire.waiting import Silence
 
 PATIENCE_S = 10.0
 SETTLE_S = 0.2  # as the planner's pose_settle_s: the robot is at rest then
+TRIES = 3  # of a behaviour of which the executor skipped commands
 COLUMNS = ("use", "genome", "before_x_m", "before_y_m", "before_yaw_rad", "after_x_m", "after_y_m",
            "after_yaw_rad")
 
@@ -90,17 +91,19 @@ def play_all(plan: typing.Sequence[typing.Mapping[str, str]], poses: Poses,
              player: Player) -> typing.List[typing.Dict[str, typing.Any]]:
     """Rows of the trials: what was planned, with the poses before and after.
 
-    Behaviours some of whose commands were skipped are left out.
+    A behaviour some of whose commands were skipped is played again; one that never was whole is
+    left out.
     """
     rows = []
     before = poses.since(rospy.Time.now())
     for number, row in enumerate(plan):
-        result = player.play(row["genome"])
-        after = poses.since(result.finished + rospy.Duration(SETTLE_S))
-        if result.code == ExecuteBehaviorResult.SUCCEEDED:
-            rows.append(dict(zip(COLUMNS, (row["use"], row["genome"], *before, *after))))
+        for _ in range(TRIES):
+            result = player.play(row["genome"])
+            start, before = before, poses.since(result.finished + rospy.Duration(SETTLE_S))
+            if result.code == ExecuteBehaviorResult.SUCCEEDED:
+                rows.append(dict(zip(COLUMNS, (row["use"], row["genome"], *start, *before))))
+                break
         print(f"{number + 1} of {len(plan)} behaviours played", flush=True)
-        before = after
     return rows
 
 

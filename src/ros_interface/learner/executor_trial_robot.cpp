@@ -9,12 +9,14 @@ namespace {
 
 constexpr double kHistory_s = 10.0;
 constexpr double kWatch_s = 0.2;
+constexpr std::int64_t kFirstState_ns = 2 * kSecond_ns;
 
 }  // namespace
 
 ExecutorTrialRobot::ExecutorTrialRobot(ros::NodeHandle& node, const PoseOptions& options,
                                        const Clock& clock, std::function<bool()> leaves)
     : options_(options),
+      clock_(clock),
       leaves_(std::move(leaves)),
       executor_(node, clock),
       buffer_(ros::Duration(kHistory_s)),
@@ -23,7 +25,15 @@ ExecutorTrialRobot::ExecutorTrialRobot(ros::NodeHandle& node, const PoseOptions&
       watch_(node.createWallTimer(ros::WallDuration(kWatch_s),
                                   [this](const ros::WallTimerEvent&) { poses_.latest(); })) {}
 
+void ExecutorTrialRobot::awaitState() {
+  if (awaited_) return;
+  awaited_ = true;
+  clock_.waitUntil(clock_.steadyNow_ns() + kFirstState_ns,
+                   [this] { return executor_.client().whyNotReady().empty() || leaves_(); });
+}
+
 TrialRobot::Result ExecutorTrialRobot::play(const Genome& genome) {
+  awaitState();
   ExecutorClient& executor = executor_.client();
   const std::uint64_t stops = executor.stops();
   std::string problem = executor.whyNotReady();

@@ -16,7 +16,8 @@ namespace hexapod {
 
 /// The robot of the running session: its executor plays, tf tells where it ends. A robot that is
 /// not armed, or whose pose is not known, is not moved; a behaviour some of whose commands were
-/// skipped was not played.
+/// skipped was not played. The first trial waits for the executor's state, which comes once a
+/// second.
 class ExecutorTrialRobot : public TrialRobot {
  public:
   /// `leaves`: breaks a trial off. The clock must outlive it.
@@ -26,12 +27,16 @@ class ExecutorTrialRobot : public TrialRobot {
   Result play(const Genome& genome) override;
 
  private:
+  void awaitState();
+
   const PoseOptions options_;
+  const Clock& clock_;
   const std::function<bool()> leaves_;
   ExecutorTopics executor_;
   tf2::BufferCore buffer_;
   TransformEars ears_;
   TfPoseSource poses_;
+  bool awaited_ = false;
   ros::WallTimer watch_;  // of the pose, as that wants to be watched
 };
 
