@@ -43,20 +43,21 @@ changed_sources() {
     while read -r file; do
       file=${file%.h}
       file=${file%.cpp}.cpp
-      if [[ -e $file ]] && grep -q "\"file\": \"$root/$file\"" "$build/compile_commands.json"; then
+      if [[ -e $file ]] && grep -q "\"file\": \"$root/$file\"" "$build/tidy/compile_commands.json"; then
         echo "$file"
       fi
     done | sort -u
 }
 
-# No remark of clang-tidy about what changed, as far as it gets in its time.
+# No remark of clang-tidy about what changed, each source by itself, as far as it gets in its time.
 check_tidy() {
   local files ended=0
-  build all tests
+  cmake -S "$root" -B "$build/tidy" -DPYTHON_EXECUTABLE=/usr/bin/python3 &&
+    cmake --build "$build/tidy" --target hexapod_repertoire_generate_messages_cpp || return
   mapfile -t files < <(changed_sources)
   if ((${#files[@]} == 0)); then return 0; fi
   printf '%s\n' "${files[@]}" | timeout "$tidy_seconds" xargs -P"$(nproc)" -n1 \
-    clang-tidy -p "$build" --quiet --warnings-as-errors='*' || ended=$?
+    clang-tidy -p "$build/tidy" --quiet --warnings-as-errors='*' || ended=$?
   if ((ended == 124)); then
     say "clang-tidy did not get through all ${#files[@]} changed files in $tidy_seconds s"
     return 0
@@ -84,7 +85,8 @@ build_sanitized() {
   shift 2
   use_compiler_cache
   cmake -S "$root" -B "$build/$name" -DPYTHON_EXECUTABLE=/usr/bin/python3 \
-    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1 $flags" "$@" >"$build/$name.log" 2>&1 &&
+    -DCMAKE_BUILD_TYPE=None -DCMAKE_CXX_FLAGS="-O1 -g1 $flags" "${unity[@]}" "$@" \
+    >"$build/$name.log" 2>&1 &&
     cmake --build "$build/$name" -j"$(parallel_jobs)" --target "${targets[@]}" \
       >>"$build/$name.log" 2>&1 && return
   tail -n 60 "$build/$name.log" >&2

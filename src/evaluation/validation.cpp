@@ -13,7 +13,7 @@ namespace hexapod {
 namespace {
 
 // Predecessors drawn for one place in a chain until one walks; then the place stays empty.
-constexpr int kMaxDraws = 20;
+constexpr int kMaxRedraws = 20;
 
 // Generators of the start states and of the genomes must not repeat each other.
 enum class Purpose : std::uint64_t { kStartState = 1, kEntry = 2 };
@@ -74,7 +74,7 @@ class Validation {
 
   void playPredecessor(World& world, Random& random) const {
     const WorldState before = world.state();
-    for (int draw = 0; draw < kMaxDraws; ++draw) {
+    for (int draw = 0; draw < kMaxRedraws; ++draw) {
       const Genome& genome = genomes_[random.below(genomes_.size())];
       if (playGenome(world, genome).walked() && goesOnStanding(world)) return;
       world.restore(before);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kSpacing_m = 0.03;
 // Whatever a repertoire claims; where that is absurdly far the points are farther apart.
-constexpr double kMostPoints = 1000.0;
+constexpr double kMostPathPoints = 1000.0;
 
 // What separates arcs from what is executed, at most, half-way: 2 cm and a tenth of the length. (Of
 // the shipped robot: 3.5 cm in the median over entries, 5 cm at p90, 11 cm at most.)
@@ -36,7 +36,7 @@ std::vector<Pose2> bentTo(const Pose2& end, const std::vector<Pose2>& way) {
 MovePath makeMovePath(const Pose2& start_from_end, const std::vector<Pose2>& way) {
   MovePath path;
   const double far_m = std::hypot(start_from_end.x_m, start_from_end.y_m);
-  const double spacing_m = std::max(kSpacing_m, far_m / kMostPoints);
+  const double spacing_m = std::max(kSpacing_m, far_m / kMostPathPoints);
   const std::vector<Pose2> poses =
       way.empty() ? sampleStep(Pose2{}, start_from_end, spacing_m) : bentTo(start_from_end, way);
   const double bulge_m = way.empty() ? kBulge_m + kBulge * far_m : 0.0;

@@ -26,12 +26,6 @@ struct Tally {
   std::int64_t latest_periods = 0;
 };
 
-inline Genome randomGenome(Random& random, std::size_t count) {
-  Genome genome(count);
-  for (auto& gene : genome) gene = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return genome;
-}
-
 // Is every joint somewhere on the straight way from one pose to another?
 inline bool onTheWay(const std::vector<double>& from, const std::vector<double>& to,
                      const std::vector<double>& pose) {

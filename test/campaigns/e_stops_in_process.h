@@ -7,6 +7,7 @@
 
 #include "e_stop_tally.h"
 #include "execution/shared_executor.h"
+#include "gait/random_genome.h"
 
 namespace hexapod {
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "e_stop_tally.h"
+#include "gait/random_genome.h"
 #include "robot/robot_description.h"
 #include "ros_session.h"
 

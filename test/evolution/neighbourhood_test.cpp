@@ -8,15 +8,10 @@
 #include <tuple>
 
 #include "analytic_evaluator.h"
+#include "gait/random_genome.h"
 
 namespace hexapod {
 namespace {
-
-Genome randomGenome(Random& random) {
-  Genome genome(24);
-  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return canonical(genome);
-}
 
 /// eq. 1 and 2 over the set of controllers, without any index.
 Objectives byDefinition(const Individual& self, const std::vector<Entry>& archive,
@@ -58,13 +53,13 @@ class NeighbourhoodOf : public ::testing::Test {
   }
   std::vector<Individual> randomPool(std::size_t count) {
     std::vector<Individual> pool;
-    for (std::size_t i = 0; i < count; ++i) pool.push_back(born(randomGenome(random_)));
+    for (std::size_t i = 0; i < count; ++i) pool.push_back(born(canonical(randomGenome(random_))));
     return pool;
   }
 
   Individual at(double x_m, double error_rad) {
     const std::int64_t id = next_id_++;
-    const Genome genome = randomGenome(random_);
+    const Genome genome = canonical(randomGenome(random_));
     return {id, id, genome, genome, {Verdict::kWalked, {x_m, 0.0, 0.0}, error_rad}, {}, true};
   }
 

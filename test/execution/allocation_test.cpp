@@ -5,6 +5,7 @@
 #include <new>
 
 #include "execution/shared_executor.h"
+#include "gait/random_genome.h"
 #include "shipped_robot.h"
 
 namespace {

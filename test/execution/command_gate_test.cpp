@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "gait/behavior.h"
+#include "gait/random_genome.h"
 #include "shipped_robot.h"
 
 namespace hexapod {

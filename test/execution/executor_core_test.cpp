@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "execution/sitting_pose.h"
+#include "gait/random_genome.h"
 #include "shipped_robot.h"
 
 namespace hexapod {

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "execution/executor_core.h"
+#include "gait/random_genome.h"
 #include "shipped_robot.h"
 
 namespace hexapod {

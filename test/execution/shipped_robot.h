@@ -19,12 +19,6 @@ inline const RobotDescription& shippedRobot() {
   return robot;
 }
 
-inline Genome randomGenome(Random& random) {
-  Genome genome(shippedRobot().geneCount());
-  for (auto& gene : genome) gene = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return genome;
-}
-
 /// A driver that reads all joints at once.
 class WholeRobotDriver {
  public:

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gait/gait.h"
+#include "gait/random_genome.h"
 #include "made_robot.h"
 #include "robot/load_robot.h"
 
@@ -30,7 +31,7 @@ double largestStep(const std::vector<double>& a, const std::vector<double>& b) {
 TEST(Behavior, AfterGaitIsEquationThreeEveryThirtyMilliseconds) {
   const RobotDescription robot = shipped();
   Random random(4);
-  const Genome genome = randomGenome(24, random);
+  const Genome genome = randomGenome(random);
   const Behavior behavior(robot, genome, asInThePaper());
   ASSERT_EQ(behavior.commandCount(), 100u);
   EXPECT_DOUBLE_EQ(behavior.duration_s(), 3.0);
@@ -46,7 +47,7 @@ TEST(Behavior, OfAnyGenomeHasTheSameLengthAndEndsAtRestInTheNeutralPose) {
   const RobotDescription robot = shipped();
   Random random(5);
   for (int i = 0; i < 100; ++i) {
-    const Behavior behavior(robot, randomGenome(24, random), BehaviorOptions());
+    const Behavior behavior(robot, randomGenome(random), BehaviorOptions());
     // 3 s of gait, 0.6 s back, 0.3 s at rest: 100 + 20 + 10 commands of 30 ms.
     ASSERT_EQ(behavior.commandCount(), 130u);
     EXPECT_DOUBLE_EQ(behavior.duration_s(), 3.9);
@@ -59,7 +60,7 @@ TEST(Behavior, StaysWithinPositionAndVelocityLimits) {
   const double reach_rad = 6.28 * 0.03;
   Random random(6);
   for (int i = 0; i < 200; ++i) {
-    const Behavior behavior(robot, randomGenome(24, random), BehaviorOptions());
+    const Behavior behavior(robot, randomGenome(random), BehaviorOptions());
     std::vector<double> previous = robot.neutralPose();
     for (std::size_t k = 0; k < behavior.commandCount(); ++k) {
       EXPECT_LE(largestStep(behavior.command(k), previous), reach_rad + 1e-12) << k;

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gait/random_genome.h"
 #include "made_robot.h"
 
 namespace hexapod {
@@ -42,7 +43,7 @@ TEST(Gait, ZeroAmplitudesAreTheNeutralPoseExactly) {
 TEST(Gait, EachLegFollowsItsOwnFourGenes) {
   const RobotDescription robot = madeRobot(6, 3);
   Random random(3);
-  const Genome genome = randomGenome(24, random);
+  const Genome genome = randomGenome(random);
   for (double t : {0.0, 0.06, 0.3, 0.9, 2.5}) {
     const std::vector<double> angles = anglesAt(robot, genome, t);
     for (std::size_t leg = 0; leg < 6; ++leg) {

@@ -34,12 +34,6 @@ inline RobotDescription madeRobot(int legs, int segments) {
   return robot;
 }
 
-inline Genome randomGenome(std::size_t genes, Random& random) {
-  Genome genome(genes);
-  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return genome;
-}
-
 /// What a call complains about, "" when it does not throw std::invalid_argument.
 template <typename Call>
 std::string complaintOf(const Call& call) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "gait/behavior.h"
+#include "gait/random_genome.h"
 #include "made_robot.h"
 
 namespace hexapod {
@@ -72,7 +73,7 @@ TEST(Symmetry, OfAnImageIsTheGenomeAgain) {
   Random random(3);
   for (const Symmetry& symmetry : symmetriesOf(fourOars())) {
     for (int i = 0; i < 100; ++i) {
-      const Genome genome = canonical(randomGenome(16, random));
+      const Genome genome = canonical(randomGenome(random, 16));
       EXPECT_EQ(symmetry.image(symmetry.image(genome)), genome) << symmetry.name();
     }
   }
@@ -135,7 +136,7 @@ TEST(Symmetry, MovesJointsAsTheMirrorImageDoes) {
   for (Leg& leg : fast.legs) leg.segments[0].joint.max_velocity_rad_per_s = 6.28;
   const Symmetry left_right = symmetriesOf(fast)[0];
   for (int i = 0; i < 20; ++i) {
-    const Genome genome = canonical(randomGenome(16, random));
+    const Genome genome = canonical(randomGenome(random, 16));
     const Behavior behavior(fast, genome, options);
     const Behavior image(fast, left_right.image(genome), options);
     for (std::size_t k = 0; k < behavior.commandCount(); ++k) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "fixtures.h"
+#include "gait/random_genome.h"
 #include "geometry/arc.h"
 
 namespace hexapod {

@@ -14,6 +14,7 @@
 
 #include "common/comma_locale.h"
 #include "common/random.h"
+#include "gait/random_genome.h"
 #include "repertoire/repertoire.h"
 
 namespace hexapod {
@@ -38,12 +39,6 @@ class TemporaryFolder {
  private:
   std::filesystem::path path_;
 };
-
-inline Genome randomGenome(Random& random, std::size_t genes = 24) {
-  Genome genome(genes);
-  for (auto& level : genome) level = static_cast<std::uint8_t>(random.below(kGeneLevels));
-  return genome;
-}
 
 /// Entries with ids 1 .. count, distinct genomes, ends within +-half_width_m; every other one
 /// validated.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "gait/random_genome.h"
 #include "simulation/body_text.h"
 #include "simulation/rollout.h"
 #include "walked_body.h"

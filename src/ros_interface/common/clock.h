@@ -50,6 +50,7 @@ class SystemClock : public Clock {
 };
 
 constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kMillisecond_ns = 1'000'000;
 
 /// Seconds to nanoseconds, rounded to the nearest.
 std::int64_t secondsToNs(double seconds);

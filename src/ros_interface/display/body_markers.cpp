@@ -11,13 +11,13 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kWidth_m = 0.02;
+constexpr double kLegWidth_m = 0.02;
 constexpr double kTextAbove_m = 0.2;
-constexpr double kTextHeight_m = 0.04;
+constexpr double kBeliefHeight_m = 0.04;
 
 Marker lineOfLeg(const RobotDescription& robot, std::size_t leg) {
-  Marker line =
-      marker(robot.base_link, "believed_legs", static_cast<int>(leg), Marker::LINE_STRIP, kWidth_m);
+  Marker line = marker(robot.base_link, "believed_legs", static_cast<int>(leg), Marker::LINE_STRIP,
+                       kLegWidth_m);
   line.frame_locked = true;
   const Eigen::AngleAxisd link_from_base(robot.link_from_base_yaw_rad, Eigen::Vector3d::UnitZ());
   for (const Eigen::Vector3d& joint : standingLeg(robot, leg)) {
@@ -49,7 +49,7 @@ visualization_msgs::MarkerArray bodyMarkers(const RobotDescription& robot,
     line.color.a = 0.25f + 0.7f * share;
     array.markers.push_back(line);
   }
-  Marker text = textMarker(robot.base_link, "believed_body", 0, belief.sentence, kTextHeight_m);
+  Marker text = textMarker(robot.base_link, "believed_body", 0, belief.sentence, kBeliefHeight_m);
   text.frame_locked = true;
   text.pose.position.z = kTextAbove_m;
   array.markers.push_back(text);

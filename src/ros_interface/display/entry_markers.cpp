@@ -17,8 +17,8 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kHeight_m = 0.012;
-constexpr double kTextHeight_m = 0.03;
+constexpr double kEntryAbove_m = 0.012;
+constexpr double kEntryLetters_m = 0.03;
 constexpr double kRing_m = 0.025;
 constexpr double kHeading_m = 0.08;
 
@@ -34,7 +34,7 @@ Marker arcOf(const EntryPicture& picture) {
   const Arc arc = arcThrough(end.x_m, end.y_m);
   for (int i = 0; i <= kParts; ++i) {
     const Pose2 pose = picture.start * arc.at(static_cast<double>(i) / kParts);
-    line.points.push_back(point(pose.x_m, pose.y_m, kHeight_m));
+    line.points.push_back(point(pose.x_m, pose.y_m, kEntryAbove_m));
   }
   return line;
 }
@@ -46,7 +46,7 @@ Marker ringAround(const Pose2& pose, const std::string& frame) {
   for (int i = 0; i <= kCorners; ++i) {
     const double angle = 2.0 * M_PI * i / kCorners;
     ring.points.push_back(point(pose.x_m + kRing_m * std::cos(angle),
-                                pose.y_m + kRing_m * std::sin(angle), kHeight_m));
+                                pose.y_m + kRing_m * std::sin(angle), kEntryAbove_m));
   }
   return ring;
 }
@@ -56,7 +56,7 @@ Marker headingOf(const Pose2& pose, const std::string& frame, int id,
   Marker arrow = marker(frame, "entry", id, Marker::ARROW, kHeading_m);
   arrow.scale.y = arrow.scale.z = 0.01;
   arrow.pose = toPoseMsg(pose);
-  arrow.pose.position.z = kHeight_m;
+  arrow.pose.position.z = kEntryAbove_m;
   arrow.color = tint;
   return arrow;
 }
@@ -109,7 +109,7 @@ visualization_msgs::MarkerArray entryMarkers(const EntryPicture& picture) {
   }
   if (!picture.neighbours.empty()) text += "\n" + neighboursInWords(picture);
   if (!picture.remark.empty()) text += "\n" + picture.remark;
-  Marker words = textMarker(picture.frame, "entry", 4, text, kTextHeight_m);
+  Marker words = textMarker(picture.frame, "entry", 4, text, kEntryLetters_m);
   // Beside the robot and its repertoire, where nothing else is.
   const Pose2 place = picture.start * Pose2{0.0, picture.beside_m, 0.0};
   words.pose.position = point(place.x_m, place.y_m, 0.1);

@@ -12,16 +12,16 @@ namespace {
 using visualization_msgs::Marker;
 
 constexpr char kName[] = "gait";
-constexpr double kWidth_m = 0.4;
+constexpr double kDiagramWidth_m = 0.4;
 constexpr double kRow_m = 0.035;
 constexpr double kLetters_m = 0.024;
 constexpr double kLabel_m = 0.09;  // middle of a label left of its row
-constexpr double kHeight_m = 0.012;
+constexpr double kAboveFloor_m = 0.012;
 
 // A point of the diagram: right of and below its corner.
 geometry_msgs::Point place(const Pose2& frame_from_corner, double right_m, double below_m) {
   const Pose2 pose = frame_from_corner * Pose2{-below_m, -right_m, 0.0};
-  return point(pose.x_m, pose.y_m, kHeight_m);
+  return point(pose.x_m, pose.y_m, kAboveFloor_m);
 }
 
 Marker textAt(const std::string& frame, int id, const std::string& text,
@@ -50,7 +50,7 @@ visualization_msgs::MarkerArray gaitMarkers(const GaitPicture& picture, const st
                                             const Pose2& frame_from_corner) {
   visualization_msgs::MarkerArray array;
   const std::size_t count = picture.stands.size();
-  const double step_m = kWidth_m / static_cast<double>(std::max<std::size_t>(count, 1));
+  const double step_m = kDiagramWidth_m / static_cast<double>(std::max<std::size_t>(count, 1));
   Marker bars = marker(frame, kName, 0, Marker::LINE_LIST, 0.7 * kRow_m);
   bars.color = color(0.15, 0.15, 0.15);
   for (std::size_t leg = 0; leg < picture.legs.size(); ++leg) {
@@ -74,7 +74,7 @@ visualization_msgs::MarkerArray gaitMarkers(const GaitPicture& picture, const st
   array.markers.push_back(
       textAt(frame, static_cast<int>(picture.legs.size()) + 1,
              picture.title + ": dark while a foot stands, " + fixedText(duration_s, 1) + " s",
-             place(frame_from_corner, 0.5 * kWidth_m, 0.0)));
+             place(frame_from_corner, 0.5 * kDiagramWidth_m, 0.0)));
   array.markers.push_back(shown(bars));
   return array;
 }

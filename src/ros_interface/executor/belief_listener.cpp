@@ -5,9 +5,9 @@
 namespace hexapod {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 10;
+constexpr std::uint32_t kBeliefQueue = 10;
 // How often is looked whether what was told is too old.
-constexpr double kLook_s = 0.1;
+constexpr double kBeliefLook_s = 0.1;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ BeliefListener::BeliefListener(const ros::NodeHandle& node, SharedExecutor& exec
   node_.setCallbackQueue(&queue_);
   if (options.max_dead_legs > 0) {
     subscriber_ = node_.subscribe<hexapod_repertoire::BodyBelief>(
-        names::kBodyBelief, kQueueSize,
+        names::kBodyBelief, kBeliefQueue,
         boost::function<void(const Event&)>([this](const Event& event) { onBelief(event); }),
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   }
@@ -40,7 +40,7 @@ std::string BeliefListener::problem() const {
 
 void BeliefListener::run() {
   while (running_) {
-    queue_.callAvailable(ros::WallDuration(kLook_s));
+    queue_.callAvailable(ros::WallDuration(kBeliefLook_s));
     apply();
   }
 }

@@ -15,7 +15,7 @@ namespace hexapod {
 namespace {
 
 // Only the newest command counts: after a stop no old one is to reach a consumer that is slow.
-constexpr std::uint32_t kQueueSize = 1;
+constexpr std::uint32_t kCommandQueue = 1;
 // A trajectory point must lie ahead, or controllers drop it; in one period the next one comes.
 constexpr double kTrajectoryHorizonPeriods = 1.5;
 
@@ -57,7 +57,7 @@ class NoSender : public CommandSender {
 class JointStateSender : public CommandSender {
  public:
   JointStateSender(ros::NodeHandle& node, const JointMap& map) : map_(map) {
-    publishers_ = {node.advertise<sensor_msgs::JointState>(names::kJointCommand, kQueueSize)};
+    publishers_ = {node.advertise<sensor_msgs::JointState>(names::kJointCommand, kCommandQueue)};
     message_type_ = "sensor_msgs/JointState";
     message_.name = map.wireNames();
     message_.position.resize(message_.name.size());
@@ -82,7 +82,7 @@ class TrajectorySender : public CommandSender {
     message_type_ = "trajectory_msgs/JointTrajectory";
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       publishers_.push_back(
-          node.advertise<trajectory_msgs::JointTrajectory>(groups_[g].topic, kQueueSize));
+          node.advertise<trajectory_msgs::JointTrajectory>(groups_[g].topic, kCommandQueue));
       for (const std::size_t j : groups_[g].joints) {
         messages_[g].joint_names.push_back(map.joints()[j].name);
       }
@@ -118,7 +118,7 @@ class GroupPositionSender : public CommandSender {
     message_type_ = "std_msgs/Float64MultiArray";
     for (std::size_t g = 0; g < groups_.size(); ++g) {
       publishers_.push_back(
-          node.advertise<std_msgs::Float64MultiArray>(groups_[g].topic, kQueueSize));
+          node.advertise<std_msgs::Float64MultiArray>(groups_[g].topic, kCommandQueue));
       messages_[g].data.resize(groups_[g].joints.size());
     }
   }
@@ -154,7 +154,7 @@ class PerJointSender : public CommandSender {
     for (const WireJoint& joint : map.joints()) {
       std::string topic = pattern;
       topic.replace(at, placeholder.size(), joint.name);
-      publishers_.push_back(node.advertise<std_msgs::Float64>(topic, kQueueSize));
+      publishers_.push_back(node.advertise<std_msgs::Float64>(topic, kCommandQueue));
     }
   }
 

@@ -10,9 +10,9 @@ namespace {
 
 constexpr char kTopic[] = "e_stop";
 constexpr char kService[] = "stop";
-constexpr std::uint32_t kQueueSize = 10;
+constexpr std::uint32_t kStopQueue = 10;
 // How often the thread looks whether it is to leave.
-constexpr double kLook_s = 0.1;
+constexpr double kStopLook_s = 0.1;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ EmergencyStop::EmergencyStop(const ros::NodeHandle& node, const ros::NodeHandle&
     : desk_(executor), node_(node), private_node_(private_node) {
   node_.setCallbackQueue(&queue_);
   private_node_.setCallbackQueue(&queue_);
-  topic_ = node_.subscribe(kTopic, kQueueSize, &EmergencyStop::onEStop, this,
+  topic_ = node_.subscribe(kTopic, kStopQueue, &EmergencyStop::onEStop, this,
                            ros::TransportHints().tcpNoDelay());
   using Response = std_srvs::Trigger::Response;
   using Service = bool(std_srvs::Trigger::Request&, Response&);
@@ -41,7 +41,7 @@ EmergencyStop::~EmergencyStop() {
 
 void EmergencyStop::run(bool realtime) {
   if (realtime) askForRealtimePriority(RealtimePriority::kLoop);
-  while (running_) queue_.callAvailable(ros::WallDuration(kLook_s));
+  while (running_) queue_.callAvailable(ros::WallDuration(kStopLook_s));
 }
 
 void EmergencyStop::onEStop(const std_msgs::Bool::ConstPtr& message) {

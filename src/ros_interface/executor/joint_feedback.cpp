@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kWarnPeriod_s = 5.0;
 // Room for the drivers of all legs while the thread is busy with the first.
-constexpr std::uint32_t kQueueSize = 10;
+constexpr std::uint32_t kFeedbackQueue = 10;
 // How old a reset may be in open loop.
 constexpr double kFresh_s = 1.0;
 
@@ -33,12 +33,12 @@ JointFeedback::JointFeedback(const ros::NodeHandle& node, SharedExecutor& execut
   node_.setCallbackQueue(&queue_);
   if (timeout_s > 0.0) {
     subscriber_ = node_.subscribe<sensor_msgs::JointState>(
-        names::kJointStates, kQueueSize,
+        names::kJointStates, kFeedbackQueue,
         boost::function<void(const Event&)>([this](const Event& event) { onJointState(event); }),
         ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   }
   reset_subscriber_ = node_.subscribe<std_msgs::Header>(
-      names::kRobotReset, kQueueSize,
+      names::kRobotReset, kFeedbackQueue,
       boost::function<void(const ros::MessageEvent<const std_msgs::Header>&)>(
           [this](const ros::MessageEvent<const std_msgs::Header>& event) { onReset(event); }),
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());

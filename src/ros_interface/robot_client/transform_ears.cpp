@@ -5,7 +5,7 @@
 namespace hexapod {
 namespace {
 
-constexpr std::uint32_t kQueueSize = 100;
+constexpr std::uint32_t kTransformQueue = 100;
 constexpr double kWarnPeriod_s = 5.0;
 
 }  // namespace
@@ -15,7 +15,7 @@ TransformEars::TransformEars(const Clock& clock, tf2::BufferCore& buffer)
   node_.setCallbackQueue(&queue_);
   const auto listen = [this](const std::string& topic, bool is_static) {
     return node_.subscribe<tf2_msgs::TFMessage>(
-        topic, kQueueSize,
+        topic, kTransformQueue,
         boost::function<void(const Event&)>(
             [this, is_static](const Event& event) { hear(event, is_static); }));
   };

@@ -18,15 +18,14 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 // Callbacks are served at least this often, so that a signal is seen.
-constexpr std::int64_t kLongestWait_ns = 50 * kMs;
+constexpr std::int64_t kLongestWait_ns = 50 * kMillisecond_ns;
 // After a stall, commands that lie in the sockets are read before the missed steps are taken.
-constexpr std::int64_t kReadAfterStall_ns = 5 * kMs;
+constexpr std::int64_t kReadAfterStall_ns = 5 * kMillisecond_ns;
 constexpr std::uint32_t kCommandQueueSize = 50;
 constexpr double kWarningPeriod_s = 10.0;
 constexpr double kIgnoredPeriod_s = 5.0;
-constexpr std::int64_t kCommandPatience_ns = 500 * kMs;
+constexpr std::int64_t kCommandPatience_ns = 500 * kMillisecond_ns;
 
 Engine engineFor(const SimulatedRobotOptions& options, const RobotDescription& robot) {
   const EngineChoice choice = chooseEngine(options.engine, robot);
@@ -109,7 +108,8 @@ void SimulatedRobotNode::waitAndServe(std::int64_t wait_ns) {
 void SimulatedRobotNode::awaitCommand() {
   waitAndServe(0);
   const std::int64_t deadline_ns = steadyNow_ns() + kCommandPatience_ns;
-  while (commands_.expects(timer_.time_ns()) && steadyNow_ns() < deadline_ns) waitAndServe(kMs);
+  while (commands_.expects(timer_.time_ns()) && steadyNow_ns() < deadline_ns)
+    waitAndServe(kMillisecond_ns);
   if (commands_.expects(timer_.time_ns())) commands_.giveUp();
 }
 

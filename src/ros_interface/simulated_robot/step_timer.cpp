@@ -3,13 +3,12 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kStall_ns = 30 * kMs;
+constexpr std::int64_t kStall_ns = 30 * kMillisecond_ns;
 // Later than this, the world has stood still instead: an executor takes joint states that are half
 // a second old for those of a robot that is gone.
-constexpr std::int64_t kLongestCatchUp_ns = 300 * kMs;
+constexpr std::int64_t kLongestCatchUp_ns = 300 * kMillisecond_ns;
 // While time stands.
-constexpr std::int64_t kLook_ns = 50 * kMs;
+constexpr std::int64_t kLook_ns = 50 * kMillisecond_ns;
 
 }  // namespace
 

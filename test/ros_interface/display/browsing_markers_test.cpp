@@ -2,10 +2,10 @@
 #include <ros/serialization.h>
 
 #include <cmath>
-#include <set>
-#include <utility>
+#include <stdexcept>
 
 #include "robot/load_robot.h"
+#include "ros_interface/display/drawable.h"
 #include "ros_interface/display/entry_markers.h"
 #include "ros_interface/display/gait_markers.h"
 #include "ros_interface/display/repertoire_markers.h"
@@ -16,20 +16,6 @@ namespace {
 
 using visualization_msgs::Marker;
 using visualization_msgs::MarkerArray;
-
-void expectDrawable(const MarkerArray& array) {
-  std::set<std::pair<std::string, int>> names;
-  for (const Marker& marker : array.markers) {
-    EXPECT_TRUE(names.emplace(marker.ns, marker.id).second) << marker.ns << " " << marker.id;
-    if (marker.action == Marker::DELETE) continue;
-    if (marker.type == Marker::TEXT_VIEW_FACING) {
-      EXPECT_FALSE(marker.text.empty());
-      EXPECT_GT(marker.scale.z, 0.0);
-    } else if (marker.type != Marker::ARROW) {
-      EXPECT_GE(marker.points.size(), marker.type == Marker::LINE_STRIP ? 2u : 1u) << marker.ns;
-    }
-  }
-}
 
 const Marker& named(const MarkerArray& array, const std::string& name, int id) {
   for (const Marker& marker : array.markers) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ros_interface/display/drawable.h"
 #include "ros_interface/display/plan_markers.h"
 #include "ros_interface/display/repertoire_markers.h"
 
@@ -9,19 +10,6 @@ namespace hexapod {
 namespace {
 
 using visualization_msgs::Marker;
-
-// rviz reports lists without points, and lines of one, as errors.
-void expectDrawable(const visualization_msgs::MarkerArray& array) {
-  for (const Marker& marker : array.markers) {
-    if (marker.action == Marker::DELETE || marker.type == Marker::ARROW) continue;
-    EXPECT_GE(marker.points.size(), marker.type == Marker::LINE_STRIP ? 2u : 1u) << marker.ns;
-    const std::size_t corners = marker.type == Marker::TRIANGLE_LIST ? 3u : 1u;
-    EXPECT_EQ(marker.points.size() % corners, 0u);
-    EXPECT_TRUE(marker.colors.empty() || marker.colors.size() == marker.points.size() / corners);
-    EXPECT_NEAR(marker.pose.orientation.w, 1.0, 1e-12);
-    EXPECT_GT(marker.scale.x, 0.0);
-  }
-}
 
 TEST(RepertoireMarkers, AreThreeListsWhateverTheNumberOfEntries) {
   Repertoire repertoire;

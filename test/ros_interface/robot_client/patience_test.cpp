@@ -7,15 +7,13 @@
 namespace hexapod {
 namespace {
 
-using Verdict = Patience::Verdict;
-
 // Steady seconds until it waits no more, asked every 50 ms; 60 at most.
-double waited_s(FakeClock& clock, Patience& patience, Verdict& verdict) {
+double waited_s(FakeClock& clock, Patience& patience, Patience::Verdict& verdict) {
   const std::int64_t start_ns = clock.steadyNow_ns();
   clock.waitUntil(start_ns + 60 * kSecond_ns, [&] {
     if ((clock.steadyNow_ns() - start_ns) % (kSecond_ns / 20) != 0) return false;
     verdict = patience.verdict();
-    return verdict != Verdict::kWait;
+    return verdict != Patience::Verdict::kWait;
   });
   return 1e-9 * static_cast<double>(clock.steadyNow_ns() - start_ns);
 }
@@ -25,9 +23,9 @@ TEST(Patience, IsOverAfterItsLimitOfTheRobotsTime) {
     FakeClock clock;
     clock.setRate(rate);
     Patience patience(clock, 5.0);
-    Verdict verdict = Verdict::kWait;
+    Patience::Verdict verdict = Patience::Verdict::kWait;
     EXPECT_NEAR(waited_s(clock, patience, verdict), 5.0 / rate, 0.1);
-    EXPECT_EQ(verdict, Verdict::kTooLong);
+    EXPECT_EQ(verdict, Patience::Verdict::kTooLong);
   }
 }
 
@@ -35,11 +33,11 @@ TEST(Patience, IsOverSoonOnceTimeStands) {
   FakeClock clock;
   Patience patience(clock, 5.0);
   clock.pass(kSecond_ns);
-  EXPECT_EQ(patience.verdict(), Verdict::kWait);
+  EXPECT_EQ(patience.verdict(), Patience::Verdict::kWait);
   clock.setRate(0.0);
-  Verdict verdict = Verdict::kWait;
+  Patience::Verdict verdict = Patience::Verdict::kWait;
   EXPECT_NEAR(waited_s(clock, patience, verdict), 1.5, 0.1);
-  EXPECT_EQ(verdict, Verdict::kTimeStands);
+  EXPECT_EQ(verdict, Patience::Verdict::kTimeStands);
 }
 
 TEST(Patience, IsNotFooledByAClockThatIsSet) {
@@ -47,11 +45,11 @@ TEST(Patience, IsNotFooledByAClockThatIsSet) {
     FakeClock clock;
     Patience patience(clock, 5.0);
     clock.pass(kSecond_ns);
-    EXPECT_EQ(patience.verdict(), Verdict::kWait);
+    EXPECT_EQ(patience.verdict(), Patience::Verdict::kWait);
     clock.setRos(now_s);
-    Verdict verdict = Verdict::kWait;
+    Patience::Verdict verdict = Patience::Verdict::kWait;
     const double waited = waited_s(clock, patience, verdict);
-    EXPECT_EQ(verdict, Verdict::kTooLong);
+    EXPECT_EQ(verdict, Patience::Verdict::kTooLong);
     EXPECT_GE(waited, 2.9);
     EXPECT_LE(waited, 4.1);
   }
@@ -62,14 +60,14 @@ TEST(Patience, BeginsAnewWithEverySignOfLife) {
   Patience patience(clock, 1.0);
   for (int i = 0; i < 100; ++i) {
     clock.pass(9 * kSecond_ns / 10);
-    ASSERT_EQ(patience.verdict(), Verdict::kWait);
+    ASSERT_EQ(patience.verdict(), Patience::Verdict::kWait);
     patience.renew();
   }
   clock.pass(kSecond_ns);
   clock.pass(kSecond_ns / 10);
   patience.verdict();
   clock.pass(kSecond_ns / 10);
-  EXPECT_EQ(patience.verdict(), Verdict::kTooLong);
+  EXPECT_EQ(patience.verdict(), Patience::Verdict::kTooLong);
 }
 
 }  // namespace
