@@ -27,7 +27,7 @@ std::string describeBriefly(const LearningStatus& status) {
   if (status.phase != LearningPhase::kEvolving) return describe(status);
   std::string text;
   if (status.last.evaluations > 0) {
-    text = "sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, error " +
+    text = "trained: sparseness " + fixedText(100.0 * status.last.sparseness_m, 2) + " cm, " +
            fixedText(status.last.median_orientation_error_rad / kDegree, 2) + " deg, ";
   }
   text += std::to_string(status.entries) + " entries, ";

@@ -7,12 +7,12 @@
 
 namespace hexapod {
 
-/// A line for a person: "Learning: 2000 of 20000, sparseness 4.21 cm, error 2.31 deg, 120 entries,
-/// 35 s left". The same in every locale.
+/// A line for a person: "Learning: 2000 of 20000, trained: sparseness 4.21 cm, 2.31 deg, 120
+/// entries, 35 s left". The same in every locale.
 std::string describe(const LearningStatus& status);
 
-/// The same without what a bar beside it shows: "sparseness 4.21 cm, error 2.31 deg, 120 entries, 4
-/// s left" while it evolves.
+/// The same without what a bar beside it shows: "trained: sparseness 4.21 cm, 2.31 deg, 120
+/// entries, 4 s left" while it evolves.
 std::string describeBriefly(const LearningStatus& status);
 
 /// Of the phase under way, 0 .. 1: the part of the budget that is used up, or of the entries that

@@ -12,7 +12,6 @@ constexpr double kStill_m = 0.003;
 constexpr double kStill_rad = 0.01;
 
 constexpr double kPriorTrials = 2.0;
-constexpr double kMetresPerRadian = 0.3;
 
 double blended(double spread, double trials, double prior) {
   return std::sqrt((trials * spread * spread + kPriorTrials * prior * prior) /

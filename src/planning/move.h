@@ -11,6 +11,9 @@
 
 namespace hexapod {
 
+/// What a radian of heading counts as where ends of behaviours are compared [m].
+constexpr double kMetresPerRadian = 0.3;
+
 /// Wraps the sum or difference of two angles in [-pi, pi] into [-pi, pi].
 inline double wrapOnce(double angle_rad) {
   if (angle_rad > M_PI) return angle_rad - 2.0 * M_PI;

@@ -113,7 +113,6 @@ double Planner::turn_rad() const {
 }
 
 double behaviorGap_m(const Pose2& a, const Pose2& b) {
-  constexpr double kMetresPerRadian = 0.3;
   return distance(a, b) + kMetresPerRadian * headingDistance(a, b);
 }
 

@@ -84,7 +84,7 @@ class Planner {
   std::vector<std::size_t> move_of_;  ///< per entry; kNone: takes no part
 };
 
-/// How far apart two ends of a behaviour are [m], a radian counting as 0.3 m.
+/// How far apart two ends of a behaviour are [m], a radian counting as kMetresPerRadian.
 double behaviorGap_m(const Pose2& a, const Pose2& b);
 
 }  // namespace hexapod

@@ -6,18 +6,12 @@
 namespace hexapod {
 namespace {
 
-constexpr double kMetresPerRadian = 0.3;
 // Smaller deviations are the ordinary spread of a behaviour, whatever share of its length they are.
 constexpr double kOrdinaryDeviation_m = 0.06;
 
 // So many waypoints are planned through before each behaviour: what comes after them hardly changes
 // the next one, and the robot stands meanwhile.
 constexpr std::ptrdiff_t kAhead = 8;
-
-// Size of a displacement [m], a radian counted as kMetresPerRadian.
-double extent(const Pose2& a, const Pose2& b) {
-  return distance(a, b) + kMetresPerRadian * headingDistance(a, b);
-}
 
 }  // namespace
 
@@ -32,14 +26,14 @@ Walk::Walk(std::shared_ptr<AdaptivePlanner> planner, std::vector<Waypoint> route
 std::optional<std::string> Walk::problemWith(const Pose2& world_from_robot, WalkState& state) {
   if (!expected_) return std::nullopt;
   const double moved = distance(before_, world_from_robot);
-  const double deviation = extent(expected_->world_from_end, world_from_robot);
+  const double deviation = behaviorGap_m(expected_->world_from_end, world_from_robot);
   if (moved > options_.jump_reaches * planner_->reach_m()) {
     state = WalkState::kPoseLost;
     return "The measured pose jumped from " + poseText(before_) + " to " +
            poseText(world_from_robot) +
            " within one behaviour. Check the odometry and send the goal again.";
   }
-  const double predicted = extent(before_, expected_->world_from_end);
+  const double predicted = behaviorGap_m(before_, expected_->world_from_end);
   const bool failed =
       deviation > kOrdinaryDeviation_m && deviation > options_.failed_share * predicted;
   failed_in_a_row_ = failed ? failed_in_a_row_ + 1 : 0;

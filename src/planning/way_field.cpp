@@ -8,7 +8,7 @@
 namespace hexapod {
 namespace {
 
-constexpr double kFinestCell_m = 0.05;
+constexpr double kFinestWayCell_m = 0.05;
 constexpr double kMostCells = 4e6;
 // Beyond the start a search may still want to turn.
 constexpr double kBeyond_m = 2.5;
@@ -46,7 +46,7 @@ void WayField::layOut(double around_m) {
   const auto [west, east] = span(start.x_m, goal.x_m, obstacles.width_m());
   const auto [south, north] = span(start.y_m, goal.y_m, obstacles.height_m());
   const double cell_m =
-      std::max(kFinestCell_m, std::sqrt((east - west) * (north - south) / kMostCells));
+      std::max(kFinestWayCell_m, std::sqrt((east - west) * (north - south) / kMostCells));
   grid_.cell_m = cell_m;
   // Cells of the map and of the same size lie on each other.
   grid_.west_m = std::floor(west / cell_m) * cell_m;

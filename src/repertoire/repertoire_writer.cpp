@@ -226,12 +226,20 @@ RepertoireWriter::RepertoireWriter(const std::string& file) {
   open();
 }
 
+RepertoireWriter::~RepertoireWriter() {
+  database_.reset();
+  if (!created_ || holds_repertoire_ || !(stampOf(file_) == stamp_)) return;
+  std::error_code ignored;  // an empty file is left, then
+  fs::remove(file_, ignored);
+}
+
 void RepertoireWriter::open() {
   preparePlace(file_);
   database_.reset();
   if (lock_ && !lock_->isCurrent()) lock_.reset();
   if (!lock_) lock_ = std::make_unique<FileLock>(file_);
   try {
+    if (!stamp_) created_ = !stampOf(file_);
     database_ = std::make_unique<SqliteDatabase>(file_, SqliteDatabase::Mode::kCreate);
     holds_repertoire_ = isRepertoire(*database_, file_);
     if (!stamp_ && holds_repertoire_) digest_ = claimedDigest(*database_);

@@ -20,6 +20,10 @@ class RepertoireWriter {
   /// folder, not a repertoire file or one of another format version (none is ever overwritten), or
   /// when folder or file cannot be created.
   explicit RepertoireWriter(const std::string& file);
+  /// A file that it created and in which nothing was saved is removed.
+  ~RepertoireWriter();
+  RepertoireWriter(const RepertoireWriter&) = delete;
+  RepertoireWriter& operator=(const RepertoireWriter&) = delete;
 
   /// True when the file holds a repertoire already: one found there, or one saved.
   bool holdsRepertoire() const { return holds_repertoire_; }
@@ -41,6 +45,7 @@ class RepertoireWriter {
   std::unique_ptr<FileLock> lock_;
   std::unique_ptr<SqliteDatabase> database_;
   bool holds_repertoire_ = false;
+  bool created_ = false;            // the file, which was not there when it was claimed
   std::optional<FileStamp> stamp_;  // of the file as this object left it
   std::string digest_;              // of its content then
 };

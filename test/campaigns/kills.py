@@ -12,6 +12,7 @@ import json
 import os
 import pathlib
 import random
+import select
 import signal
 import socket
 import subprocess
@@ -27,6 +28,7 @@ OBSERVER = pathlib.Path(__file__).resolve().parent / "support" / "walk_observer.
 VICTIMS = ["executor", "planner", "simulated_robot", "rosmaster", "learner"]
 START_S = 90
 STILL_S = 20
+ANSWER_S = 60
 END_S = 40
 MARK = "HEXAPOD_CAMPAIGN"
 
@@ -99,11 +101,13 @@ class Session:
         return self.log.read().decode(errors="replace")[-3000:]
 
 
-def ask(observer, request):
-    """The observer's answer to a request."""
-    observer.stdin.write(request + "\n")
+def ask(observer, request, timeout_s):
+    """What the observer finds wrong, or ""; it is given that time, and some to begin."""
+    observer.stdin.write(f"{request[0]} {timeout_s} {' '.join(map(str, request[1:]))}\n")
     observer.stdin.flush()
-    return json.loads(observer.stdout.readline() or '{"problem": "the observer died"}')
+    if not select.select([observer.stdout], [], [], timeout_s + ANSWER_S)[0]:
+        return "the observer is silent"
+    return json.loads(observer.stdout.readline() or '{"problem": "the observer died"}')["problem"]
 
 
 def disturb_walk(victim, repertoire, dice):
@@ -111,16 +115,16 @@ def disturb_walk(victim, repertoire, dice):
     session = Session("walk.launch", f"repertoire_file:={repertoire}", "rviz:=false")
     observer = session.observer()
     try:
-        first = ask(observer, f"walk_to {START_S} 0.3 0.0")
-        if first["problem"]:
-            return f"the first goal: {first['problem']}\n{session.words()}"
-        ask(observer, f"send_goal {START_S} {dice.uniform(-0.8, 0.8)} {dice.uniform(-0.8, 0.8)}")
+        problem = ask(observer, ("walk_to", 0.3, 0.0), START_S)
+        if problem:
+            return f"the first goal: {problem}\n{session.words()}"
+        ask(observer, ("send_goal", dice.uniform(-0.8, 0.8), dice.uniform(-0.8, 0.8)), START_S)
         time.sleep(dice.uniform(0.0, 6.0))
         os.kill(session.pid_of(victim), signal.SIGKILL)
-        still = ask(observer, f"wait_still {STILL_S}")
+        problem = ask(observer, ("wait_still",), STILL_S)
         observer.kill()
         observer.wait()
-        return still["problem"] or session.end()
+        return problem or session.end()
     finally:
         observer.kill()
         observer.wait()

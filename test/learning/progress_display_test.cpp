@@ -35,9 +35,10 @@ LearningStatus validating(std::int64_t validated) {
 TEST(LearningReport, TellsOfTrialsOnTheRobotWhereThereAreAny) {
   LearningStatus status = halfDone();
   status.trials = 12;
-  EXPECT_EQ(describe(status),
-            "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 12 tried on "
-            "the robot, 4 s left");
+  EXPECT_EQ(
+      describe(status),
+      "Learning: 2000 of 4000, trained: sparseness 4.21 cm, 2.31 deg, 120 entries, 12 tried on "
+      "the robot, 4 s left");
   status.phase = LearningPhase::kTransferring;
   EXPECT_EQ(describe(status),
             "Transferring: what 12 trials tell of where the robot takes the entries");
@@ -46,7 +47,7 @@ TEST(LearningReport, TellsOfTrialsOnTheRobotWhereThereAreAny) {
 
 TEST(LearningReport, TellsRateTimeLeftAndBothMetrics) {
   EXPECT_EQ(describe(halfDone()),
-            "Learning: 2000 of 4000, sparseness 4.21 cm, error 2.31 deg, 120 entries, 4 s left");
+            "Learning: 2000 of 4000, trained: sparseness 4.21 cm, 2.31 deg, 120 entries, 4 s left");
   EXPECT_EQ(describe(validating(30)), "Validating: 30 of 120 executions, 4 s left");
 }
 
@@ -68,7 +69,7 @@ TEST(LearningReport, MeasuresTheBudgetThatIsUsedUpFirst) {
 
 TEST(ProgressBar, FillsWithTheBudget) {
   const std::string bar = progressBar(halfDone(), 200);
-  EXPECT_EQ(bar, "[####....]  50 %  sparseness 4.21 cm, error 2.31 deg, 120 entries, 4 s left");
+  EXPECT_EQ(bar, "[####....]  50 %  trained: sparseness 4.21 cm, 2.31 deg, 120 entries, 4 s left");
 }
 
 TEST(ProgressBar, FitsItsTerminal) {

@@ -24,7 +24,7 @@ Repertoire fromPrimitives(const std::string& text) {
 }
 
 template <typename Function>
-std::string complaintOf(Function&& function) {
+std::string refusalOf(Function&& function) {
   try {
     function();
   } catch (const std::runtime_error& error) {
@@ -67,14 +67,14 @@ TEST(ImportCsv, ReadsTheFirstThreeColumnsWithoutAHeaderInTheUnitsGiven) {
 }
 
 TEST(ImportCsv, NamesTheLineThatIsWrong) {
-  EXPECT_EQ(complaintOf([] { fromCsv("dx,dy,dyaw\n0.1,0,0\n0.1,zero,0\n"); }),
+  EXPECT_EQ(refusalOf([] { fromCsv("dx,dy,dyaw\n0.1,0,0\n0.1,zero,0\n"); }),
             "steps.csv, line 3: expected a finite number in column 2, found 'zero'.");
-  EXPECT_NE(complaintOf([] { fromCsv("dx,dy,dyaw\n0.1,nan,0\n"); }).find("line 2"),
+  EXPECT_NE(refusalOf([] { fromCsv("dx,dy,dyaw\n0.1,nan,0\n"); }).find("line 2"),
             std::string::npos);
-  EXPECT_NE(complaintOf([] { fromCsv("0.1,0.2\n"); }).find("column 3"), std::string::npos);
-  EXPECT_NE(complaintOf([] { fromCsv("x,y,theta\n1,2,3\n"); }).find("dx, dy and dyaw"),
+  EXPECT_NE(refusalOf([] { fromCsv("0.1,0.2\n"); }).find("column 3"), std::string::npos);
+  EXPECT_NE(refusalOf([] { fromCsv("x,y,theta\n1,2,3\n"); }).find("dx, dy and dyaw"),
             std::string::npos);
-  EXPECT_NE(complaintOf([] { fromCsv("dx,dy,dyaw\n"); }).find("no entries"), std::string::npos);
+  EXPECT_NE(refusalOf([] { fromCsv("dx,dy,dyaw\n"); }).find("no entries"), std::string::npos);
 }
 
 TEST(ImportPrimitives, TakesTheLastPoseOfThoseOfStartAngle0) {
@@ -87,9 +87,9 @@ TEST(ImportPrimitives, TakesTheLastPoseOfThoseOfStartAngle0) {
 }
 
 TEST(ImportPrimitives, NamesTheLineThatIsWrong) {
-  EXPECT_NE(complaintOf([] { fromPrimitives("resolution_m: 0.1\nhello\n"); }).find("line 2"),
+  EXPECT_NE(refusalOf([] { fromPrimitives("resolution_m: 0.1\nhello\n"); }).find("line 2"),
             std::string::npos);
-  EXPECT_NE(complaintOf([] {
+  EXPECT_NE(refusalOf([] {
               fromPrimitives("primID: 0\nstartangle_c: 0\nintermediateposes: 2\n0 0 0\n");
             }).find("more intermediate poses"),
             std::string::npos);

@@ -39,6 +39,15 @@ TEST(RepertoireWriter, ReplacesTheWholeContentAtEachSave) {
   EXPECT_EQ(loadLearnerState(folder.file("a.db")).values, saved);
 }
 
+TEST(RepertoireWriter, LeavesNoFileThatItCreatedAndInWhichNothingWasSaved) {
+  const TemporaryFolder folder;
+  { const RepertoireWriter writer(folder.file("a.db")); }
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.db")));
+  writeContent(folder.file("empty.db"), "");
+  { const RepertoireWriter writer(folder.file("empty.db")); }
+  EXPECT_TRUE(std::filesystem::exists(folder.file("empty.db")));
+}
+
 TEST(RepertoireWriter, FindsTheRepertoireOfAnEarlierRun) {
   const TemporaryFolder folder;
   saveRepertoire(folder.file("a.db"), sampleRepertoire());

@@ -10,8 +10,7 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kPeriod = 30 * kMs;
+constexpr std::int64_t kPeriod = 30 * kMillisecond_ns;
 
 class SimulatedTime : public FakeClock {
  public:
@@ -63,7 +62,7 @@ class LoopRun {
 
 TEST(RealtimeLoop, TicksAtEveryDeadlineWithStampsOnePeriodApart) {
   LoopRun<FakeClock> run;
-  run.in_tick = [&](std::int64_t slot) { run.clock.pass(slot % 3 * 7 * kMs); };
+  run.in_tick = [&](std::int64_t slot) { run.clock.pass(slot % 3 * 7 * kMillisecond_ns); };
   const auto ticks = run.run(50);
   for (std::size_t i = 0; i < ticks.size(); ++i) {
     EXPECT_EQ(ticks[i].slot, static_cast<std::int64_t>(i));
@@ -79,13 +78,14 @@ TEST(RealtimeLoop, TicksAtEveryDeadlineWithStampsOnePeriodApart) {
 TEST(RealtimeLoop, AStallSkipsDeadlinesAndIsTheLargestLateness) {
   LoopRun<FakeClock> run;
   run.in_tick = [&](std::int64_t slot) {
-    if (slot == 10) run.clock.pass(200 * kMs);
+    if (slot == 10) run.clock.pass(200 * kMillisecond_ns);
   };
   const auto ticks = run.run(15);
   // 200 ms after the deadline of slot 10 the one of slot 16 is 20 ms past; it was 11's turn.
   EXPECT_EQ(ticks[11].slot, 16);
   EXPECT_EQ(ticks[12].slot, 17) << "no burst";
-  EXPECT_EQ(ticks[12].steady_ns - ticks[11].steady_ns, 10 * kMs) << "back on the timeline";
+  EXPECT_EQ(ticks[12].steady_ns - ticks[11].steady_ns, 10 * kMillisecond_ns)
+      << "back on the timeline";
   EXPECT_EQ(run.timing.skipped, 5u);
   EXPECT_DOUBLE_EQ(run.timing.largest_lateness_s, 0.170);
 }

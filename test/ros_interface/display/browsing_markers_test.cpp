@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "robot/load_robot.h"
+#include "execution/shipped_robot.h"
 #include "ros_interface/display/drawable.h"
 #include "ros_interface/display/entry_markers.h"
 #include "ros_interface/display/gait_markers.h"
@@ -24,10 +24,8 @@ const Marker& named(const MarkerArray& array, const std::string& name, int id) {
   throw std::out_of_range(name);
 }
 
-RobotDescription shippedRobot() { return loadRobot("urdf/hexapod.urdf", "config/hexapod.yaml"); }
-
 TEST(SceneMarkers, AreDrawableBeforeAnythingIsLearned) {
-  const RobotDescription robot = shippedRobot();
+  const RobotDescription& robot = shippedRobot();
   const MarkerArray array = sceneMarkers(robot, Repertoire(), "somewhere");
   expectDrawable(array);
   for (const Marker& marker : array.markers) EXPECT_EQ(marker.header.frame_id, "somewhere");
@@ -115,7 +113,7 @@ TEST(GaitMarkers, HaveABarForEachTimeThatAFootStands) {
 }
 
 TEST(GaitMarkers, AreTakenAwayAllOfThem) {
-  const RobotDescription robot = shippedRobot();
+  const RobotDescription& robot = shippedRobot();
   GaitPicture picture;
   for (const Leg& leg : robot.legs) picture.legs.push_back(leg.name);
   const MarkerArray drawn = gaitMarkers(picture, "odom", {});

@@ -10,7 +10,6 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
 constexpr std::int64_t kNow = 1'700'000'000 * kSecond_ns;
 
 // Commands that act 60 ms after their stamp, on a robot whose last step began at kNow.
@@ -34,16 +33,16 @@ class RobotCommandsTest : public testing::Test {
     EXPECT_EQ(commands_.due(kNow + kSecond_ns), nullptr) << "physics sees nothing of it";
   }
 
-  RobotCommands commands_{shippedRobot(), 60 * kMs};
+  RobotCommands commands_{shippedRobot(), 60 * kMillisecond_ns};
 };
 
 TEST_F(RobotCommandsTest, ACommandActsALatencyAfterItsStamp) {
   commands_.take(command(kNow, 0.01));
-  EXPECT_EQ(commands_.due(kNow + 59 * kMs), nullptr);
-  const std::vector<double>* targets = commands_.due(kNow + 60 * kMs);
+  EXPECT_EQ(commands_.due(kNow + 59 * kMillisecond_ns), nullptr);
+  const std::vector<double>* targets = commands_.due(kNow + 60 * kMillisecond_ns);
   ASSERT_NE(targets, nullptr);
   EXPECT_EQ(*targets, command(0, 0.01).position);
-  EXPECT_EQ(commands_.due(kNow + 75 * kMs), nullptr) << "it goes on acting";
+  EXPECT_EQ(commands_.due(kNow + 75 * kMillisecond_ns), nullptr) << "it goes on acting";
 }
 
 TEST_F(RobotCommandsTest, NamesMayComeInAnyOrder) {
@@ -51,7 +50,7 @@ TEST_F(RobotCommandsTest, NamesMayComeInAnyOrder) {
   std::reverse(turned.name.begin(), turned.name.end());
   std::reverse(turned.position.begin(), turned.position.end());
   commands_.take(turned);
-  EXPECT_EQ(*commands_.due(kNow + 60 * kMs), shippedRobot().neutralPose());
+  EXPECT_EQ(*commands_.due(kNow + 60 * kMillisecond_ns), shippedRobot().neutralPose());
 }
 
 TEST_F(RobotCommandsTest, PhysicsSeesOnlyCommandsThatAreWholeFiniteAndWithinLimits) {
@@ -74,31 +73,31 @@ TEST_F(RobotCommandsTest, PhysicsSeesOnlyCommandsThatAreWholeFiniteAndWithinLimi
 }
 
 TEST_F(RobotCommandsTest, CountsWhatCameLateOrFromAnotherClock) {
-  commands_.take(command(kNow - 61 * kMs));
+  commands_.take(command(kNow - 61 * kMillisecond_ns));
   EXPECT_EQ(commands_.counts().late, 1u);
   commands_.take(command(kNow + 3600 * kSecond_ns));
   EXPECT_EQ(commands_.counts().foreign, 1u);
-  EXPECT_NE(commands_.due(kNow + 15 * kMs), nullptr) << "both act from the next step";
+  EXPECT_NE(commands_.due(kNow + 15 * kMillisecond_ns), nullptr) << "both act from the next step";
 }
 
 TEST_F(RobotCommandsTest, ExpectsTheNextCommandOfALiveStreamOnly) {
-  EXPECT_FALSE(commands_.expects(kNow + 60 * kMs)) << "nobody sends";
+  EXPECT_FALSE(commands_.expects(kNow + 60 * kMillisecond_ns)) << "nobody sends";
   commands_.take(command(kNow));
-  EXPECT_FALSE(commands_.expects(kNow + 60 * kMs)) << "one command is no stream";
-  commands_.take(command(kNow + 30 * kMs));
-  EXPECT_FALSE(commands_.expects(kNow + 59 * kMs));
-  EXPECT_TRUE(commands_.expects(kNow + 60 * kMs));
+  EXPECT_FALSE(commands_.expects(kNow + 60 * kMillisecond_ns)) << "one command is no stream";
+  commands_.take(command(kNow + 30 * kMillisecond_ns));
+  EXPECT_FALSE(commands_.expects(kNow + 59 * kMillisecond_ns));
+  EXPECT_TRUE(commands_.expects(kNow + 60 * kMillisecond_ns));
   commands_.giveUp();
-  EXPECT_FALSE(commands_.expects(kNow + 60 * kMs));
-  commands_.take(command(kNow + 500 * kMs));
+  EXPECT_FALSE(commands_.expects(kNow + 60 * kMillisecond_ns));
+  commands_.take(command(kNow + 500 * kMillisecond_ns));
   EXPECT_FALSE(commands_.expects(kNow + kSecond_ns)) << "a pause ends a stream";
 }
 
 TEST_F(RobotCommandsTest, DisturbedCommandsActLaterAndSomeAreLost) {
-  commands_.disturb(45 * kMs, 0.0);
+  commands_.disturb(45 * kMillisecond_ns, 0.0);
   commands_.take(command(kNow));
-  EXPECT_EQ(commands_.due(kNow + 104 * kMs), nullptr);
-  EXPECT_NE(commands_.due(kNow + 105 * kMs), nullptr);
+  EXPECT_EQ(commands_.due(kNow + 104 * kMillisecond_ns), nullptr);
+  EXPECT_NE(commands_.due(kNow + 105 * kMillisecond_ns), nullptr);
   commands_.disturb(0, 0.25);
   for (int i = 0; i < 400; ++i) commands_.take(command(0));
   // Four standard deviations of a binomial distribution: 4 * sqrt(400 * 0.25 * 0.75) = 35.

@@ -7,8 +7,7 @@
 namespace hexapod {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
-constexpr std::int64_t kStep = 15 * kMs;
+constexpr std::int64_t kStep = 15 * kMillisecond_ns;
 constexpr std::int64_t kBegin = 1'700'000'000 * kSecond_ns;
 
 // A timer whose time has begun, and a process that takes every step that is due.
@@ -43,7 +42,7 @@ TEST_F(StepTimerTest, TimeGoesByItsFactorWithoutDrift) {
     StepTimer timer = this->timer(factor, true);
     std::int64_t steps = 0;
     for (int i = 0; i < 1000; ++i) {
-      clock_.pass(7 * kMs);
+      clock_.pass(7 * kMillisecond_ns);
       steps += takeDueSteps(timer);
     }
     EXPECT_EQ(steps, static_cast<std::int64_t>(7000.0 * factor / 15.0)) << factor;
@@ -64,9 +63,9 @@ TEST_F(StepTimerTest, AtFactorZeroEveryStepIsDueAndNothingIsAStall) {
 
 TEST_F(StepTimerTest, AShortStallIsMadeUpFor) {
   StepTimer timer = this->timer(1.0, false);
-  clock_.pass(200 * kMs);
+  clock_.pass(200 * kMillisecond_ns);
   const std::int64_t late_ns = -timer.wait_ns();
-  EXPECT_EQ(late_ns, 185 * kMs);
+  EXPECT_EQ(late_ns, 185 * kMillisecond_ns);
   EXPECT_TRUE(timer.isStall(late_ns));
   EXPECT_EQ(timer.standStill(late_ns), 0);
   EXPECT_EQ(takeDueSteps(timer), 13);  // 195 ms
