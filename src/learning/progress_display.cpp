@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kRedrawPeriod_s = 0.2;
 constexpr double kComplainPeriod_s = 10.0;
-constexpr std::size_t kBarWidth = 8;
+constexpr std::size_t kBarWidth = 5;
 constexpr const char* kClearLine = "\r\x1b[K";
 
 }  // namespace

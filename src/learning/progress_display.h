@@ -49,7 +49,7 @@ class ProgressDisplay {
   double complained_s_ = -1e9;
 };
 
-/// "[####....]  50 %  trained: sparseness 4.21 cm, 2.31 deg, ..." in so many columns at most: 79 do
+/// "[##...]  50 %  trained: sparseness 4.21 cm, 2.31 deg, ..." in so many columns at most: 79 do
 /// for all of it.
 std::string progressBar(const LearningStatus& status, std::size_t columns);
 

@@ -69,7 +69,7 @@ TEST(LearningReport, MeasuresTheBudgetThatIsUsedUpFirst) {
 
 TEST(ProgressBar, FillsWithTheBudget) {
   const std::string bar = progressBar(halfDone(), 200);
-  EXPECT_EQ(bar, "[####....]  50 %  trained: sparseness 4.21 cm, 2.31 deg, 120 entries, 4 s left");
+  EXPECT_EQ(bar, "[##...]  50 %  trained: sparseness 4.21 cm, 2.31 deg, 120 entries, 4 s left");
 }
 
 TEST(ProgressBar, FitsItsTerminal) {

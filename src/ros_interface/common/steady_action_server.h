@@ -11,6 +11,8 @@
 #include <string>
 #include <utility>
 
+#include "ros_interface/common/cancel_memory.h"
+
 namespace hexapod {
 
 /// So many goals, cancels or results of an action may wait on one side of the wire. roscpp drops
@@ -25,6 +27,7 @@ constexpr std::uint32_t kActionQueueSize = 10'000;
 ///   second at most then, not once or twice per goal;
 /// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
 ///   not RECALLED with an empty result, whose code 0 reads as success;
+/// - a goal that was sent before all were cancelled, and comes after that, is cancelled, too;
 /// - a cancel is stamped no later than it came, and one that was stamped before the clock was set
 ///   back cancels no later goals;
 /// - a goal or cancel with an id of more than kLongestId characters is left out, with a warning:
@@ -88,12 +91,19 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
     {
       const boost::recursive_mutex::scoped_lock lock(this->lock_);
       if (this->last_cancel_ > ros::Time::now()) this->last_cancel_ = ros::Time();
+      const ros::Time& sent = goal->goal_id.stamp;
+      if (cancels_.covers(sent, steadyNow_ns())) {
+        this->last_cancel_ = std::max(this->last_cancel_, sent);
+      }
     }
     this->goalCallback(goal);
   }
 
   void onCancel(const boost::shared_ptr<const actionlib_msgs::GoalID>& id) {
     if (isTooLong(id->id)) return;
+    if (id->id.empty() && id->stamp.isZero()) {
+      cancels_.cancelAll(ros::Time::now(), steadyNow_ns());
+    }
     const auto present = boost::make_shared<actionlib_msgs::GoalID>(*id);
     present->stamp = std::min(id->stamp, ros::Time::now());
     this->cancelCallback(present);
@@ -175,6 +185,7 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
 
   ros::NodeHandle node_;
   Result cancelled_early_;
+  CancelMemory cancels_;
   std::map<std::string, ros::SteadyTime> over_since_;  // by goal id; guarded by lock_
   ros::SteadyTime status_told_;                        // guarded by lock_
   bool status_changed_ = false;                        // guarded by lock_

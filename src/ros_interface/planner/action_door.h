@@ -57,7 +57,9 @@ class ActionDoor {
       handle.publishFeedback(words_.feedback(progress));
     };
     listener.ended = [this, handle](const WalkReport& report) mutable { end(handle, report); };
-    walker_.submit(words_.request(*handle.getGoal()), listener, handle.getGoalID().id);
+    GoalRequest request = words_.request(*handle.getGoal());
+    request.sent = handle.getGoalID().stamp;
+    walker_.submit(request, listener, handle.getGoalID().id);
   }
 
   void end(Handle& handle, const WalkReport& report) const {

@@ -46,6 +46,7 @@ struct GoalRequest : PoseRequest {
   std::vector<PoseRequest> via;  ///< to be passed before, in this order
   std::string problem;           ///< why it is refused whatever is known of the robot, or empty
   bool plan_only = false;
+  ros::Time sent;  ///< by the client's clock; zero: not told
   /// Instead of a pose: walk as it says until it says nothing any more. Asked often.
   std::function<std::optional<Twist>()> twist;
 };

@@ -45,7 +45,16 @@ Walker::~Walker() {
 
 std::string Walker::submit(const GoalRequest& request, const GoalListener& listener,
                            const std::string& id) {
-  return book_.enter(id, request, listener, means_.player.stops())->id;
+  const GoalBook::Goal goal = book_.enter(id, request, listener, means_.player.stops());
+  if (cancels_.covers(request.sent, means_.clock.steadyNow_ns())) {
+    goal->end(GoalCode::PREEMPTED, "Cancelled before it arrived.");
+  }
+  return goal->id;
+}
+
+bool Walker::cancelAll() {
+  cancels_.cancelAll(means_.clock.rosNow(), means_.clock.steadyNow_ns());
+  return book_.cancelAll() > 0;
 }
 
 void Walker::look() {

@@ -4,6 +4,7 @@
 #include <thread>
 #include <vector>
 
+#include "ros_interface/common/cancel_memory.h"
 #include "ros_interface/planner/goal_book.h"
 #include "ros_interface/planner/goal_examiner.h"
 #include "ros_interface/planner/walk_run.h"
@@ -35,8 +36,9 @@ class Walker {
   std::string submit(const GoalRequest& request, const GoalListener& listener,
                      const std::string& id = "");
 
-  /// False when there was nothing to cancel.
-  bool cancelAll() { return book_.cancelAll() > 0; }
+  /// False when there was nothing to cancel. A goal that was sent before and comes after is
+  /// cancelled, too (CancelMemory).
+  bool cancelAll();
   bool cancel(const std::string& id) { return book_.cancel(id) > 0; }
 
   /// To be called often: tells at once that the executor cannot go on while a walk thinks about its
@@ -58,6 +60,7 @@ class Walker {
   Means means_;
   GoalExaminer examiner_;
   GoalBook book_;
+  CancelMemory cancels_;
   std::vector<std::thread> threads_;
 };
 

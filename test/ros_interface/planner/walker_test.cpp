@@ -256,6 +256,26 @@ TEST_F(WalkerTest, ACancelWhileAGoalIsExaminedIsNotLost) {
   EXPECT_EQ(player_.begun, 0);
 }
 
+TEST_F(WalkerTest, AGoalSentBeforeAllWereCancelledThatComesAfterIsCancelled) {
+  const auto sentAt = [](double time_s) {
+    GoalRequest request = goalAt(0.5, 0.2, 0.5);
+    request.sent = ros::Time(time_s);
+    return request;
+  };
+  clock_.setRos(1000.0);
+  EXPECT_FALSE(walker_->cancelAll());
+  clock_.pass(kSecond_ns / 10);
+  EXPECT_EQ(walk(sentAt(999.99)).code, GoalCode::PREEMPTED);
+  EXPECT_EQ(player_.begun, 0);
+  EXPECT_EQ(walk(sentAt(1000.05)).code, GoalCode::SUCCEEDED);
+  EXPECT_EQ(walk(goalAt(0.0, 0.0, 0.0)).code, GoalCode::SUCCEEDED)
+      << "nobody knows when it was sent";
+  // By another clock it may have been sent later.
+  walker_->cancelAll();
+  clock_.pass(kSecond_ns);
+  EXPECT_EQ(walk(sentAt(999.99)).code, GoalCode::SUCCEEDED);
+}
+
 TEST_F(WalkerTest, ACancelInMidBehaviourIsAnsweredAndBreaksItOff) {
   player_.held = true;
   Client client;
