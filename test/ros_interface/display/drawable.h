@@ -10,8 +10,8 @@
 
 namespace hexapod {
 
-/// rviz reports lists without points, lines of one, texts without any and two markers of one name as
-/// errors.
+/// rviz reports lists without points, lines of one, texts without any and two markers of one name
+/// as errors.
 inline void expectDrawable(const visualization_msgs::MarkerArray& array) {
   using visualization_msgs::Marker;
   std::set<std::pair<std::string, int>> names;
