@@ -43,13 +43,6 @@ class ActionDoor {
  private:
   using Status = actionlib_msgs::GoalStatus;
 
-  static WalkReport cancelledEarly() {
-    WalkReport report;
-    report.code = GoalCode::PREEMPTED;
-    report.message = "Cancelled before it arrived.";
-    return report;
-  }
-
   void onGoal(Handle handle) {
     GoalListener listener;
     listener.accepted = [handle](const WalkReport&) mutable { handle.setAccepted(); };

@@ -5,23 +5,23 @@
 namespace hexapod {
 
 GoalBook::Goal GoalBook::enter(std::string id, const GoalRequest& request,
-                               const GoalListener& listener, std::uint64_t stops) {
+                               const GoalListener& listener, std::uint64_t stops,
+                               std::optional<WalkReport> answer) {
   Goal goal;
-  WalkReport closing;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     const std::uint64_t number = ++numbers_;
     if (id.empty()) id = "goal_" + std::to_string(number);
     goal = std::make_shared<OpenGoal>(number, std::move(id), request, listener, stops);
-    if (!closed_) {
+    if (closed_) answer = closing_;
+    if (!answer) {
       goals_.push_back(goal);
       unexamined_.push_back(goal);
       changed_.notify_all();
       return goal;
     }
-    closing = closing_;
   }
-  goal->end(closing);
+  goal->end(*answer);
   return goal;
 }
 

@@ -5,6 +5,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,9 +23,10 @@ class GoalBook {
  public:
   using Goal = std::shared_ptr<OpenGoal>;
 
-  /// Enters a goal; with an empty id it gets one. `stops` as in OpenGoal.
+  /// Enters a goal; with an empty id it gets one. `stops` as in OpenGoal; one with an `answer` ends
+  /// with it at once.
   Goal enter(std::string id, const GoalRequest& request, const GoalListener& listener,
-             std::uint64_t stops);
+             std::uint64_t stops, std::optional<WalkReport> answer = std::nullopt);
 
   /// The newest goal that nobody has examined; waits for one. Null once closed.
   Goal takeToExamine();

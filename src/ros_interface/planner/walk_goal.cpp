@@ -2,6 +2,13 @@
 
 namespace hexapod {
 
+WalkReport cancelledEarly() {
+  WalkReport report;
+  report.code = GoalCode::PREEMPTED;
+  report.message = "Cancelled before it arrived.";
+  return report;
+}
+
 std::uint8_t codeOf(PlanCode code) {
   switch (code) {
     case PlanCode::kFound:

@@ -118,6 +118,9 @@ struct GoalListener {
   std::function<void(const WalkReport&)> ended;
 };
 
+/// Of a goal whose cancel overtook it on the way.
+WalkReport cancelledEarly();
+
 /// The code of GoTo.srv for how planning ended.
 std::uint8_t codeOf(PlanCode code);
 

@@ -45,10 +45,12 @@ Walker::~Walker() {
 
 std::string Walker::submit(const GoalRequest& request, const GoalListener& listener,
                            const std::string& id) {
-  const GoalBook::Goal goal = book_.enter(id, request, listener, means_.player.stops());
-  if (cancels_.covers(request.sent, means_.clock.steadyNow_ns())) {
-    goal->end(GoalCode::PREEMPTED, "Cancelled before it arrived.");
-  }
+  const auto is_cancelled = [&] {
+    return cancels_.covers(request.sent, means_.clock.steadyNow_ns());
+  };
+  const auto answer = is_cancelled() ? std::optional(cancelledEarly()) : std::nullopt;
+  const GoalBook::Goal goal = book_.enter(id, request, listener, means_.player.stops(), answer);
+  if (is_cancelled()) goal->end(cancelledEarly());  // between the two
   return goal->id;
 }
 
