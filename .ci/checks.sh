@@ -103,7 +103,9 @@ check_address() {
   build_sanitized address "-fsanitize=address,undefined $strict" \
     -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
   local again='ImportedRobots.*:*/ShippedRobots.*:ReducedOracle.EndsBehavioursWhereOdeDoes'
-  again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*'
+  again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*:*Threads*:*EndsTheSame*'
+  again+=':ResumeTest.VerifiesAnew*:VerifyTest.IsRecorded*:RobustSession.KeepsNow*:WarmStartTest.Has*'
+  again+=':ImportRobot.TenLegs*:ImportRobot.Sizes*:ImportRobot.Round*:RoughFiles.Legs*'
   (cd "$build/address" && export GTEST_FILTER="-$again" &&
     export LSAN_OPTIONS="suppressions=$root/.ci/address.supp" &&
     ctest --output-on-failure -j"$(nproc)" -R "^($(IFS='|' && echo "${targets[*]}"))\$")
