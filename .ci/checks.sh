@@ -79,7 +79,8 @@ core_stations() {
     sed 's:^test/::' | grep -vx ros_interface | sort
 }
 
-# Configures build/<name> with the given compiler flags and builds the targets in targets[@].
+# Configures build/<name> with the given compiler flags and builds the targets in targets[@], which is the
+# caller's, as in what follows.
 build_sanitized() {
   local name=$1 flags=$2
   shift 2
@@ -93,15 +94,40 @@ build_sanitized() {
   fail "the build failed; the whole log is $build/$name.log"
 }
 
-# The tests of the core find no memory error and no undefined behaviour. Left out are those that do the
-# same many times over, whole robots that learn and walk among them: they take as long under sanitizers
-# as all others together, and run nothing that others do not.
-check_address() {
-  local stations targets
+build_address() {
+  local stations
   mapfile -t stations < <(core_stations)
   mapfile -t targets < <(test_programs "${stations[@]}")
   build_sanitized address "-fsanitize=address,undefined $strict" \
     -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
+}
+
+build_threads() {
+  mapfile -t targets < <(test_programs execution ros_interface)
+  build_sanitized threads '-fsanitize=thread'
+}
+
+build_fuzz() {
+  targets=(fuzzers)
+  build_sanitized fuzz "-fsanitize=fuzzer-no-link,address,undefined $strict \
+-DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION" \
+    -DCMAKE_CXX_COMPILER=clang++ -DFUZZERS=ON
+}
+
+# No check: what three of them run is compiled, as long as it takes.
+check_builds() {
+  local targets
+  build_address
+  build_threads
+  build_fuzz
+}
+
+# The tests of the core find no memory error and no undefined behaviour. Left out are those that do the
+# same many times over, whole robots that learn and walk among them: they take as long under sanitizers
+# as all others together, and run nothing that others do not.
+check_address() {
+  local targets
+  build_address
   local again='ImportedRobots.*:*/ShippedRobots.*:ReducedOracle.EndsBehavioursWhereOdeDoes'
   again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*:*Threads*:*EndsTheSame*'
   again+=':ResumeTest.VerifiesAnew*:VerifyTest.IsRecorded*:RobustSession.KeepsNow*:WarmStartTest.Has*'
@@ -114,8 +140,7 @@ check_address() {
 # The unit tests of executor and nodes find no data race.
 check_threads() {
   local targets program core failed=0
-  mapfile -t targets < <(test_programs execution ros_interface)
-  build_sanitized threads '-fsanitize=thread'
+  build_threads
   core=$(sed -nE 's/^Cpus_allowed_list:\s*([0-9]+).*/\1/p' /proc/self/status)
   for program in "${targets[@]}"; do
     # A sanitizer needs addresses that some kernels spread too wide (setarch). On one core TBB, whose
@@ -153,10 +178,8 @@ find_seeded_mistake() {
 # No input makes the readers of files and messages fail otherwise than by a sentence; and a mistake
 # that was made on purpose is found.
 check_fuzz() {
-  local targets=(fuzzers) names=(urdf yaml repertoire_file message work_message) name failed=0
-  build_sanitized fuzz "-fsanitize=fuzzer-no-link,address,undefined $strict \
--DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION" \
-    -DCMAKE_CXX_COMPILER=clang++ -DFUZZERS=ON
+  local targets names=(urdf yaml repertoire_file message work_message) name failed=0
+  build_fuzz
   for name in "${names[@]}" seeded_mistake; do mkdir -p "$build/fuzz/corpus/$name"; done
   cp urdf/*.urdf "$build/fuzz/corpus/urdf"
   cp config/*.yaml "$build/fuzz/corpus/yaml"
@@ -193,7 +216,7 @@ check() {
   local -A ids=()
   if (($# == 0)); then set -- "${all_checks[@]}"; fi
   for name in "$@"; do
-    [[ " ${all_checks[*]} " == *" $name "* ]] ||
+    [[ " ${all_checks[*]} builds " == *" $name "* ]] ||
       fail "there is no check '$name'; there are: ${all_checks[*]}"
   done
   setup checks
