@@ -10,7 +10,8 @@
 namespace hexapod {
 
 /// When all goals were last cancelled. Goals and cancels come by different connections, and one
-/// that was sent first may come last: it is cancelled all the same. From any thread.
+/// that was sent first may come last: it is cancelled all the same. Of no use in simulated time,
+/// which is coarse and comes to one node later than to another. From any thread.
 class CancelMemory {
  public:
   void cancelAll(const ros::Time& now, std::int64_t steady_ns) {
@@ -20,11 +21,11 @@ class CancelMemory {
   }
 
   /// Of a goal that has just come, and was sent at `sent` by the client's clock; zero: nobody
-  /// knows. For half a second only, since that clock may be another one.
+  /// knows. For a tenth of a second only, since that clock may be another one.
   bool covers(const ros::Time& sent, std::int64_t steady_ns) const {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return !cancelled_.isZero() && !sent.isZero() && sent <= cancelled_ &&
-           steady_ns - cancelled_ns_ < kSecond_ns / 2;
+    return !cancelled_.isZero() && !sent.isZero() && sent < cancelled_ &&
+           steady_ns - cancelled_ns_ < kSecond_ns / 10;
   }
 
  private:

@@ -101,7 +101,7 @@ class SteadyActionServer : public actionlib::ActionServerBase<Action> {
 
   void onCancel(const boost::shared_ptr<const actionlib_msgs::GoalID>& id) {
     if (isTooLong(id->id)) return;
-    if (id->id.empty() && id->stamp.isZero()) {
+    if (id->id.empty() && id->stamp.isZero() && !ros::Time::isSimTime()) {
       cancels_.cancelAll(ros::Time::now(), steadyNow_ns());
     }
     const auto present = boost::make_shared<actionlib_msgs::GoalID>(*id);

@@ -55,7 +55,9 @@ std::string Walker::submit(const GoalRequest& request, const GoalListener& liste
 }
 
 bool Walker::cancelAll() {
-  cancels_.cancelAll(means_.clock.rosNow(), means_.clock.steadyNow_ns());
+  if (!means_.clock.isSimulated()) {
+    cancels_.cancelAll(means_.clock.rosNow(), means_.clock.steadyNow_ns());
+  }
   return book_.cancelAll() > 0;
 }
 
