@@ -129,7 +129,7 @@ check_address() {
   local targets
   build_address
   local again='ImportedRobots.*:*/ShippedRobots.*:ReducedOracle.EndsBehavioursWhereOdeDoes'
-  again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*:*Threads*:*EndsTheSame*'
+  again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*:*EndsTheSame*'
   again+=':ResumeTest.VerifiesAnew*:VerifyTest.IsRecorded*:RobustSession.KeepsNow*:WarmStartTest.Has*'
   again+=':ImportRobot.TenLegs*:ImportRobot.Sizes*:ImportRobot.Round*:RoughFiles.Legs*'
   (cd "$build/address" && export GTEST_FILTER="-$again" &&

@@ -53,7 +53,7 @@ def answer_to(goal, client):
     for _ in range(TRIES):
         asked = client.walk_to(goal)
         answer = ws.wait_for(lambda: asked.answers, ARRIVAL_S, "the end of a walk")[0]
-        if answer.code == GoToResponse.SUCCEEDED:
+        if answer.code not in (GoToResponse.EXECUTOR_FAULT, GoToResponse.EXECUTOR_NOT_READY):
             break
         print(answer.message, file=sys.stderr)
         client.wait_ready()

@@ -10,8 +10,8 @@
 namespace hexapod {
 namespace {
 
-constexpr std::chrono::milliseconds kPoll{100};
-constexpr int kPollsPerQuestion = 5;
+constexpr std::chrono::milliseconds kLookPeriod{100};
+constexpr int kLooksPerQuestion = 5;
 constexpr int kSilentQuestions = 3;
 
 bool ask(const std::string& method, XmlRpc::XmlRpcValue& answer) {
@@ -55,8 +55,8 @@ std::vector<std::string> MasterWatch::otherPublishers(const std::string& topic) 
 
 void MasterWatch::run() {
   for (int poll = 0; running_; ++poll) {
-    if (poll % kPollsPerQuestion == 0) askOnce();
-    std::this_thread::sleep_for(kPoll);
+    if (poll % kLooksPerQuestion == 0) askOnce();
+    std::this_thread::sleep_for(kLookPeriod);
   }
 }
 

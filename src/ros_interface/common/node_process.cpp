@@ -17,7 +17,7 @@
 namespace hexapod {
 namespace {
 
-constexpr std::chrono::milliseconds kLoopPeriod{50};
+constexpr std::chrono::milliseconds kPoll{50};
 constexpr int kPollsPerWarning = 60;
 // With the poll before it, and the end of a process on a busy machine, 2 s.
 constexpr std::chrono::milliseconds kLongestEnd{1800};
@@ -36,7 +36,7 @@ bool awaitMaster() {
       ROS_WARN_STREAM("No ROS master answers at " << ros::master::getURI()
                                                   << "; waiting. Start roscore or roslaunch.");
     }
-    std::this_thread::sleep_for(kLoopPeriod);
+    std::this_thread::sleep_for(kPoll);
   }
   return false;
 }
@@ -45,7 +45,7 @@ bool awaitMaster() {
 // it to leave and there is nothing to save.
 void watchEnd(bool saves) {
   std::thread([saves] {
-    while (!done && (saves || !leave)) std::this_thread::sleep_for(kLoopPeriod);
+    while (!done && (saves || !leave)) std::this_thread::sleep_for(kPoll);
     std::this_thread::sleep_for(kLongestEnd);
     std::_Exit(exit_code);
   }).detach();
@@ -94,7 +94,7 @@ const std::atomic<bool>& leaveFlag() { return leave; }
 bool askedToLeave() { return leave || !ros::ok(); }
 
 void waitUntilAskedToLeave() {
-  while (!askedToLeave()) std::this_thread::sleep_for(kLoopPeriod);
+  while (!askedToLeave()) std::this_thread::sleep_for(kPoll);
 }
 
 void leaveLastWords(const std::string& sentence) { ros::param::set("~last_words", sentence); }

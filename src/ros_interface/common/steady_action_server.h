@@ -27,7 +27,9 @@ constexpr std::uint32_t kActionQueueSize = 10'000;
 ///   second at most then, not once or twice per goal;
 /// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
 ///   not RECALLED with an empty result, whose code 0 reads as success;
-/// - a goal that was sent before all were cancelled, and comes after that, is cancelled, too;
+/// - a goal that was sent before all were cancelled, and comes just after that, is cancelled, too,
+/// but
+///   for simulated time (CancelMemory);
 /// - a cancel is stamped no later than it came, and one that was stamped before the clock was set
 ///   back cancels no later goals;
 /// - a goal or cancel with an id of more than kLongestId characters is left out, with a warning:

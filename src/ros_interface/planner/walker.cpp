@@ -50,7 +50,8 @@ std::string Walker::submit(const GoalRequest& request, const GoalListener& liste
   };
   const auto answer = is_cancelled() ? std::optional(cancelledEarly()) : std::nullopt;
   const GoalBook::Goal goal = book_.enter(id, request, listener, means_.player.stops(), answer);
-  if (is_cancelled()) goal->end(cancelledEarly());  // between the two
+  // A cancel that came since then has not found it in the book.
+  if (is_cancelled()) goal->end(cancelledEarly());
   return goal->id;
 }
 
