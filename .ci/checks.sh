@@ -94,40 +94,15 @@ build_sanitized() {
   fail "the build failed; the whole log is $build/$name.log"
 }
 
-build_address() {
-  local stations
-  mapfile -t stations < <(core_stations)
-  mapfile -t targets < <(test_programs "${stations[@]}")
-  build_sanitized address "-fsanitize=address,undefined $strict" \
-    -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
-}
-
-build_threads() {
-  mapfile -t targets < <(test_programs execution ros_interface)
-  build_sanitized threads '-fsanitize=thread'
-}
-
-build_fuzz() {
-  targets=(fuzzers)
-  build_sanitized fuzz "-fsanitize=fuzzer-no-link,address,undefined $strict \
--DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION" \
-    -DCMAKE_CXX_COMPILER=clang++ -DFUZZERS=ON
-}
-
-# No check: what three of them run is compiled, as long as it takes.
-check_builds() {
-  local targets
-  build_address
-  build_threads
-  build_fuzz
-}
-
 # The tests of the core find no memory error and no undefined behaviour. Left out are those that do the
 # same many times over, whole robots that learn and walk among them: they take as long under sanitizers
 # as all others together, and run nothing that others do not.
 check_address() {
-  local targets
-  build_address
+  local targets stations
+  mapfile -t stations < <(core_stations)
+  mapfile -t targets < <(test_programs "${stations[@]}")
+  build_sanitized address "-fsanitize=address,undefined $strict" \
+    -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
   local again='ImportedRobots.*:*/ShippedRobots.*:ReducedOracle.EndsBehavioursWhereOdeDoes'
   again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*:*EndsTheSame*'
   again+=':ResumeTest.VerifiesAnew*:VerifyTest.IsRecorded*:RobustSession.KeepsNow*:WarmStartTest.Has*'
@@ -140,7 +115,8 @@ check_address() {
 # The unit tests of executor and nodes find no data race.
 check_threads() {
   local targets program core failed=0
-  build_threads
+  mapfile -t targets < <(test_programs execution ros_interface)
+  build_sanitized threads '-fsanitize=thread'
   core=$(sed -nE 's/^Cpus_allowed_list:\s*([0-9]+).*/\1/p' /proc/self/status)
   for program in "${targets[@]}"; do
     # A sanitizer needs addresses that some kernels spread too wide (setarch). On one core TBB, whose
@@ -179,7 +155,10 @@ find_seeded_mistake() {
 # that was made on purpose is found.
 check_fuzz() {
   local targets names=(urdf yaml repertoire_file message work_message) name failed=0
-  build_fuzz
+  targets=(fuzzers)
+  build_sanitized fuzz "-fsanitize=fuzzer-no-link,address,undefined $strict \
+-DFUZZING_BUILD_MODE_UNSAFE_FOR_PRODUCTION" \
+    -DCMAKE_CXX_COMPILER=clang++ -DFUZZERS=ON
   for name in "${names[@]}" seeded_mistake; do mkdir -p "$build/fuzz/corpus/$name"; done
   cp urdf/*.urdf "$build/fuzz/corpus/urdf"
   cp config/*.yaml "$build/fuzz/corpus/yaml"
@@ -216,7 +195,7 @@ check() {
   local -A ids=()
   if (($# == 0)); then set -- "${all_checks[@]}"; fi
   for name in "$@"; do
-    [[ " ${all_checks[*]} builds " == *" $name "* ]] ||
+    [[ " ${all_checks[*]} " == *" $name "* ]] ||
       fail "there is no check '$name'; there are: ${all_checks[*]}"
   done
   setup checks

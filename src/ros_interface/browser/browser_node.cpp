@@ -86,7 +86,9 @@ void BrowserNode::run(const std::atomic<bool>& leave) {
   while (!leave && ros::ok()) {
     ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(kPoll_s));
     handle_.lookForPointer();
-    if (player_) followRobot();
+    if (!player_) continue;
+    executor_->client().whyNotReady();  // keeps an eye on it
+    followRobot();
   }
 }
 

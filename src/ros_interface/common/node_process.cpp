@@ -20,7 +20,7 @@ namespace {
 constexpr std::chrono::milliseconds kPoll{50};
 constexpr int kPollsPerWarning = 60;
 // With the poll before it, and the end of a process on a busy machine, 2 s.
-constexpr std::chrono::milliseconds kLongestEnd{1800};
+constexpr std::chrono::milliseconds kLongestEnd{1300};
 
 std::atomic<bool> leave{false};
 std::atomic<bool> done{false};  // the body's work

@@ -8,7 +8,7 @@ namespace hexapod {
 namespace {
 
 constexpr double kHistory_s = 10.0;
-constexpr double kWatch_s = 0.2;
+constexpr double kWatch_s = 0.1;
 constexpr std::int64_t kFirstState_ns = 2 * kSecond_ns;
 
 }  // namespace
@@ -22,8 +22,10 @@ ExecutorTrialRobot::ExecutorTrialRobot(ros::NodeHandle& node, const PoseOptions&
       buffer_(ros::Duration(kHistory_s)),
       ears_(clock, buffer_),
       poses_(options_, clock, buffer_),
-      watch_(node.createWallTimer(ros::WallDuration(kWatch_s),
-                                  [this](const ros::WallTimerEvent&) { poses_.latest(); })) {}
+      watch_(node.createWallTimer(ros::WallDuration(kWatch_s), [this](const ros::WallTimerEvent&) {
+        poses_.latest();
+        executor_.client().whyNotReady();
+      })) {}
 
 void ExecutorTrialRobot::awaitState() {
   if (awaited_) return;

@@ -34,7 +34,6 @@ WalkRun::WalkRun(const WalkMeans& means, OpenGoal& goal, std::shared_ptr<Adaptiv
       planner_(std::move(planner)),
       route_(goal.goal().route()),
       walk_(planner_, route_, walkOptions(means.options)),
-      seen_ns_(means.clock.steadyNow_ns()),
       tally_(means.clock),
       obstacles_(means.obstacles) {
   // Of a route only the way to the next waypoint is planned again.
@@ -89,7 +88,6 @@ bool WalkRun::measure() {
 }
 
 void WalkRun::noteWhereRobotIs(const Pose2& robot) {
-  seen_ns_ = means_.clock.steadyNow_ns();
   report_.final_pose.header.frame_id = means_.options.pose.global_frame;
   report_.final_pose.header.stamp = means_.clock.rosNow();
   report_.final_pose.pose = toPoseMsg(robot);
@@ -167,7 +165,8 @@ bool WalkRun::isLost() {
   const PoseReading robot = means_.poses.latest();
   if (robot.pose) {
     noteWhereRobotIs(*robot.pose);
-  } else if (means_.clock.steadyNow_ns() - seen_ns_ > kPoseMayReturn_ns) {
+  } else if (robot.silent_ns >
+             secondsToNs(means_.options.pose.pose_timeout_s) + kPoseMayReturn_ns) {
     // Told now: an executor whose time stands does not answer when it is to break off.
     end(GoalCode::POSE_LOST, robot.problem);
     goal_.end(report_);

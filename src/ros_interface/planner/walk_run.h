@@ -53,7 +53,6 @@ class WalkRun {
   ros::Time rest_;                     // when the robot has come to rest
   std::vector<Pose2> walked_;          // measured at rest, the newest last
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
-  std::int64_t seen_ns_;               // when the robot's pose was last known, steady
   TallyKeeper tally_;
   ObstacleWatch obstacles_;
   std::size_t entry_ = 0;  // of the behaviour under way

@@ -63,10 +63,9 @@ bool Walker::cancelAll() {
 }
 
 void Walker::look() {
+  const std::string why = means_.player.whyNotReady();  // always: who is not listened to is silent
   const GoalBook::Goal goal = book_.walked();
-  if (!goal || !goal->is_thought_about) return;
-  const std::string why = means_.player.whyNotReady();
-  if (why.empty()) return;
+  if (why.empty() || !goal || !goal->is_thought_about) return;
   if (goal->end(GoalCode::EXECUTOR_NOT_READY, "The walk ended, no behaviour is played: " + why)) {
     log(goal->id, goal->report());
   }

@@ -76,11 +76,11 @@ std::vector<JointRange> jointsOf(const hexapod_repertoire::ExecuteBehaviorResult
 }  // namespace
 
 ExecutorClient::ExecutorClient(const Clock& clock, ExecutorWire& wire, std::string name)
-    : clock_(clock), wire_(wire), name_(std::move(name)) {}
+    : clock_(clock), wire_(wire), name_(std::move(name)), silence_(clock) {}
 
-std::string ExecutorClient::silence() const {
+std::string ExecutorClient::whySilent() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  const bool heard = state_ && clock_.steadyNow_ns() - heard_ns_ <= kSilence_ns;
+  const bool heard = silence_.look_ns() <= kSilence_ns && state_;
   if (heard && wire_.isConnected()) return "";
   return state_ ? "The executor is silent; it is gone or hangs. Start it again, call executor/arm "
                   "and send the goal again."
@@ -88,7 +88,7 @@ std::string ExecutorClient::silence() const {
 }
 
 std::string ExecutorClient::whyNotReady() const {
-  std::string silent = silence();
+  std::string silent = whySilent();
   if (!silent.empty()) return silent;
   const std::lock_guard<std::mutex> lock(mutex_);
   return needsAPerson(state_->state) ? advice(*state_) : "";
@@ -124,7 +124,7 @@ BehaviorPlayer::Result ExecutorClient::awaitReady(std::uint64_t stops,
       return notReady(
           why.empty() ? "The executor was stopped after the goal was given; send it again." : why);
     }
-    const std::string silent = silence();
+    const std::string silent = whySilent();
     if (!silent.empty()) return notReady(silent);
     if (const auto since = readySince()) return {End::kPlayed, "", *since, 0};
     const Patience::Verdict verdict = patience.verdict();
@@ -164,7 +164,7 @@ BehaviorPlayer::Result ExecutorClient::awaitEnd(const actionlib_msgs::GoalID& id
   while (true) {
     if (const auto end = ended()) return *end;
     if (interrupted()) return breakOff(id);
-    const std::string silent = silence();
+    const std::string silent = whySilent();
     if (!silent.empty()) return {End::kFault, silent, {}, 0};
     if (signs != signs_) patience.renew();
     signs = signs_;
@@ -209,14 +209,12 @@ void ExecutorClient::onState(const State& state) {
   if (stopped && !(state_ && needsAPerson(state_->state))) ++stops_;
   if (!state_ || state_->state != state.state) ready_ = state.header.stamp;
   state_ = state;
-  heard_ns_ = clock_.steadyNow_ns();
+  silence_.end();
 }
-
-void ExecutorClient::hear() { heard_ns_ = clock_.steadyNow_ns(); }
 
 void ExecutorClient::onStatus(const actionlib_msgs::GoalStatusArray& status) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  hear();
+  silence_.end();
   for (const actionlib_msgs::GoalStatus& goal : status.status_list) {
     if (goal.goal_id.id == goal_id_ && goal.status == actionlib_msgs::GoalStatus::PENDING) ++signs_;
   }
@@ -224,13 +222,13 @@ void ExecutorClient::onStatus(const actionlib_msgs::GoalStatusArray& status) {
 
 void ExecutorClient::onFeedback(const hexapod_repertoire::ExecuteBehaviorActionFeedback& feedback) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  hear();
+  silence_.end();
   if (feedback.status.goal_id.id == goal_id_) ++signs_;
 }
 
 void ExecutorClient::onResult(const hexapod_repertoire::ExecuteBehaviorActionResult& result) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  hear();
+  silence_.end();
   if (result.status.goal_id.id == goal_id_) answer_ = result;
 }
 

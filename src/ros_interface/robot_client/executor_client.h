@@ -12,6 +12,7 @@
 #include "hexapod_repertoire/ExecutorState.h"
 #include "ros_interface/common/clock.h"
 #include "ros_interface/robot_client/behavior_player.h"
+#include "ros_interface/robot_client/silence.h"
 
 namespace hexapod {
 
@@ -29,7 +30,8 @@ class ExecutorWire {
 ///
 /// Speaks actionlib's wire itself, because actionlib's client waits for ROS time to begin and
 /// measures on it. Believes in an executor as long as anything comes from it; one that is silent
-/// for 1.7 s is gone. The on...() functions may be called from any thread, at any time.
+/// for 1.7 s is gone; whoever owns it asks whyNotReady() some times a second. The on...() functions
+/// may be called from any thread, at any time.
 class ExecutorClient : public BehaviorPlayer {
  public:
   /// `name`: of this node; goals are named after it. Both references must outlive it.
@@ -52,9 +54,8 @@ class ExecutorClient : public BehaviorPlayer {
   Result awaitEnd(const actionlib_msgs::GoalID& id, const Interrupted& interrupted);
   Result breakOff(const actionlib_msgs::GoalID& id);
   std::optional<ros::Time> readySince() const;
-  std::string silence() const;
+  std::string whySilent() const;
   std::optional<Result> ended() const;
-  void hear();
 
   const Clock& clock_;
   ExecutorWire& wire_;
@@ -66,7 +67,7 @@ class ExecutorClient : public BehaviorPlayer {
   mutable std::mutex mutex_;
   std::optional<hexapod_repertoire::ExecutorState> state_;  // guarded by mutex_
   ros::Time ready_;                                         // guarded by mutex_; since when
-  std::int64_t heard_ns_ = 0;                               // guarded by mutex_; steady
+  mutable Silence silence_;                                 // guarded by mutex_; of the executor
   std::string goal_id_;                                     // guarded by mutex_; under way
   std::optional<Answer> answer_;                            // guarded by mutex_; to goal_id_
 };

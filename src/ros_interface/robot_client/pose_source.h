@@ -3,6 +3,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/time.h>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,7 +15,8 @@ namespace hexapod {
 /// A pose in the plane or a sentence that tells why there is none.
 struct PoseReading {
   std::optional<Pose2> pose;
-  std::string problem;  ///< empty when there is a pose
+  std::string problem;         ///< empty when there is a pose
+  std::int64_t silent_ns = 0;  ///< for how long no new pose came though it was listened for
 };
 
 /// Where the robot stands and where goals are, in the global frame. From any thread; waits are

@@ -14,6 +14,7 @@ namespace {
 // Poses of another time axis than the executor's stamps (a clock was set) are at rest this long
 // after the first one, beyond the time to settle.
 constexpr double kOtherAxis_s = 0.5;
+constexpr std::int64_t kPosePoll_ns = 5 * kMillisecond_ns;
 
 PoseReading failure(const std::string& problem) { return {std::nullopt, problem}; }
 
@@ -26,7 +27,7 @@ Pose2 planarPose(const geometry_msgs::Transform& transform) {
 }  // namespace
 
 TfPoseSource::TfPoseSource(const PoseOptions& options, const Clock& clock, tf2::BufferCore& buffer)
-    : options_(options), clock_(clock), buffer_(buffer) {}
+    : options_(options), clock_(clock), buffer_(buffer), silence_(clock) {}
 
 TfPoseSource::Seen TfPoseSource::look() const {
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -38,12 +39,15 @@ TfPoseSource::Seen TfPoseSource::look() const {
         buffer_.lookupTransform(options_.global_frame, options_.base_frame, ros::Time(0));
     if (!seen_.pose || transform.header.stamp != seen_.stamp) {
       const bool changes = seen_.pose && watched;
-      seen_ = {planarPose(transform.transform), transform.header.stamp, now_ns, changes, false, ""};
+      seen_ = {
+          planarPose(transform.transform), transform.header.stamp, now_ns, changes, false, "", 0};
+      silence_.end();
     }
   } catch (const tf2::TransformException& error) {
     seen_.problem = error.what();
   }
-  if (seen_.pose && !seen_.emptied && now_ns - seen_.changed_ns > timeout_ns() / 2) {
+  seen_.silent_ns = silence_.look_ns();
+  if (seen_.pose && !seen_.emptied && seen_.silent_ns > timeout_ns() / 2) {
     buffer_.clear();
     seen_.emptied = true;
   }
@@ -63,20 +67,27 @@ PoseReading TfPoseSource::readingOf(const Seen& seen) const {
   problem << ". Check that the robot publishes its odometry to tf";
   if (ros::Time::isSimTime()) problem << ", and that somebody publishes /clock";
   problem << ".";
-  return failure(problem.str());
+  return {std::nullopt, problem.str(), seen.silent_ns};
+}
+
+TfPoseSource::Seen TfPoseSource::listen(std::int64_t patience_ns,
+                                        const std::function<bool(const Seen&)>& done) const {
+  Seen seen = look();
+  Silence listened(clock_);
+  while (!done(seen) && listened.look_ns() < patience_ns) {
+    clock_.sleepUntil(clock_.steadyNow_ns() + kPosePoll_ns);
+    seen = look();
+  }
+  return seen;
 }
 
 PoseReading TfPoseSource::latest() const { return readingOf(look()); }
 
 PoseReading TfPoseSource::robotPose(const Stop& stop) const {
-  Seen seen = look();
   // A silence that was waited for already may end just now.
-  const bool was_silent = seen.changes && !isFresh(seen);
-  clock_.waitUntil(clock_.steadyNow_ns() + timeout_ns() / (was_silent ? 5 : 1), [&] {
-    seen = look();
-    return isFresh(seen) || stop();
-  });
-  return readingOf(seen);
+  const bool was_silent = look().silent_ns > timeout_ns();
+  return readingOf(listen(timeout_ns() / (was_silent ? 5 : 1),
+                          [&](const Seen& seen) { return isFresh(seen) || stop(); }));
 }
 
 PoseReading TfPoseSource::restPose(const ros::Time& rest, const Stop& stop) const {
@@ -86,11 +97,9 @@ PoseReading TfPoseSource::restPose(const ros::Time& rest, const Stop& stop) cons
   // Ends: the stamps go on, or the pose is lost.
   while (!stop() && seen.stamp < rest && seen.stamp < first + settled) {
     const ros::Time before = seen.stamp;
-    const bool goes_on = clock_.waitUntil(seen.changed_ns + timeout_ns(), [&] {
-      seen = look();
-      return seen.stamp != before || stop();
-    });
-    if (!goes_on) break;
+    seen = listen(timeout_ns() - seen.silent_ns,
+                  [&](const Seen& now) { return now.stamp != before || stop(); });
+    if (seen.stamp == before) break;
     if (seen.stamp < before) first = seen.stamp;
   }
   return robotPose(stop);

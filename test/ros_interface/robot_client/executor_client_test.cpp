@@ -226,6 +226,20 @@ TEST_F(ExecutorClientTest, ASilentExecutorIsToldWithinTwoSeconds) {
   EXPECT_FALSE(client_.whyNotReady().empty());
 }
 
+TEST_F(ExecutorClientTest, AMomentInWhichWeDidNotRunIsNotTheExecutorsSilence) {
+  bool stalled = false;
+  const auto stall = [&] {
+    if (stalled || played_s() < 1.0) return false;
+    stalled = true;
+    alive_ = false;
+    clock_.pass(5 * kSecond_ns);
+    alive_ = true;  // and what it told is heard now
+    return false;
+  };
+  EXPECT_EQ(play(stall).end, End::kPlayed);
+  EXPECT_TRUE(stalled);
+}
+
 TEST_F(ExecutorClientTest, AnExecutorWhoseConnectionBrokeIsToldAtOnce) {
   on_live = [this] { connected_ = played_s() < 1.0; };
   EXPECT_EQ(play().end, End::kFault);

@@ -111,6 +111,30 @@ TEST_F(TfPoseSourceTest, ASilenceThatJustEndedIsNone) {
   expectRobot(poses_.robotPose(never_));
 }
 
+TEST_F(TfPoseSourceTest, AMomentInWhichWeDidNotRunIsNotTheRobotsSilence) {
+  watch(kSecond_ns);
+  // What came meanwhile is heard afterwards.
+  publishes_ = false;
+  clock_.pass(3 * kSecond_ns);
+  EXPECT_LE(poses_.latest().silent_ns, kSecond_ns / 5);
+  publishes_ = true;
+  expectRobot(poses_.robotPose(never_));
+  // In the midst of a wait, again and again.
+  publishes_ = false;
+  clock_.pass(3 * kSecond_ns);
+  int stalls = 0;
+  const auto stall = [&] {
+    if (++stalls <= 3) clock_.pass(2 * kSecond_ns);
+    publishes_ = stalls > 3;
+    return false;
+  };
+  expectRobot(poses_.robotPose(stall));
+  EXPECT_GT(stalls, 3);
+  publishes_ = false;
+  watch(2 * kSecond_ns);
+  EXPECT_GT(poses_.latest().silent_ns, 3 * kSecond_ns / 2);
+}
+
 TEST_F(TfPoseSourceTest, AClockThatIsSetLosesNoPose) {
   expectRobot(poses_.robotPose(never_));
   // Ours.
