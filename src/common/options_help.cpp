@@ -10,25 +10,45 @@ constexpr std::size_t kColumns = 80;
 const std::string kIndent = "      ";
 
 /// The words of a text in lines; Markdown's marks of code are no use here.
-std::string wrapped(std::string text) {
+std::string wrapped(std::string text, const std::string& indent) {
   text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
   std::istringstream words(text);
   std::string lines;
   std::string line;
   for (std::string word; words >> word;) {
-    if (!line.empty() && kIndent.size() + line.size() + 1 + word.size() > kColumns) {
-      lines += kIndent + line + "\n";
+    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > kColumns) {
+      lines += indent + line + "\n";
       line.clear();
     }
     line += (line.empty() ? "" : " ") + word;
   }
-  return lines + kIndent + line + "\n";
+  return lines + indent + line + "\n";
+}
+
+std::string wrappedParagraphs(const std::string& introduction) {
+  std::istringstream lines(introduction);
+  std::string text;
+  std::string paragraph;
+  const auto endParagraph = [&] {
+    if (!paragraph.empty()) text += wrapped(paragraph, "");
+    paragraph.clear();
+  };
+  for (std::string line; std::getline(lines, line);) {
+    if (line.empty() || line[0] == ' ' || line.rfind("usage:", 0) == 0) {
+      endParagraph();
+      text += line + "\n";
+    } else {
+      paragraph += line + " ";
+    }
+  }
+  endParagraph();
+  return text;
 }
 
 }  // namespace
 
-std::string helpOn(const std::vector<Option>& options) {
-  std::string text;
+std::string helpOn(const std::string& introduction, const std::vector<Option>& options) {
+  std::string text = wrappedParagraphs(introduction) + "\n";
   for (const Option& option : options) {
     const std::string value = option.text();
     text += "  --" + option.name;
@@ -36,7 +56,7 @@ std::string helpOn(const std::vector<Option>& options) {
       text += "  [" + (value.empty() ? "none" : value) + "]";
       if (option.range() != "text") text += "  " + option.range();
     }
-    text += "\n" + wrapped(option.meaning);
+    text += "\n" + wrapped(option.meaning, kIndent);
   }
   return text;
 }

@@ -66,8 +66,9 @@ def help_text(launch_file: str) -> str:
     for name, (doc, default) in known.items():
         meaning = " ".join(doc.split())
         if default:
-            home = os.path.expanduser("~")
-            meaning += f" [{default.replace(home, '~')}]"
+            if os.path.isabs(default):
+                default = os.path.normpath(default)
+            meaning += f" [{default.replace(os.path.expanduser('~'), '~')}]"
         lines += textwrap.wrap(meaning, HELP_COLUMNS, initial_indent=f"  {name:<{width}}",
                                subsequent_indent=" " * (width + 2), break_on_hyphens=False)
     return "\n".join(lines)

@@ -6,6 +6,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "common/options_help.h"
 #include "evaluation/assessment.h"
 #include "evaluation/chains.h"
 #include "evaluation/test_set.h"
@@ -23,7 +24,7 @@ namespace hexapod {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: assess_repertoire FILE.db [--name value ..]\n"
+    "usage: assess_repertoire FILE.db [--name value ...]\n\n"
     "Plays the entries that a planner uses one after another at random, in the world they were\n"
     "learned in and in the 20 worlds of the test set, then each from the stand in worlds in which\n"
     "one thing differs.\n";
@@ -58,6 +59,11 @@ std::vector<Option> declareOptions(AssessOptions& options) {
       option("robot_config", options.robot_config, "What the robot needs beside its URDF.")};
   all.insert(all.end(), others.begin(), others.end());
   return all;
+}
+
+std::string usage() {
+  AssessOptions options;
+  return helpOn(kUsage, declareOptions(options));
 }
 
 AssessOptions assessOptionsFrom(const std::vector<std::string>& words) {
@@ -182,7 +188,7 @@ void assess(const Repertoire& repertoire, const AssessOptions& options) {
 
 int main(int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') {
-    std::cerr << hexapod::kUsage;
+    std::cerr << hexapod::usage();
     return 2;
   }
   try {

@@ -30,15 +30,18 @@ BenchOptions benchOptionsFrom(const std::vector<std::string>& arguments) {
 
 std::string benchHelp() {
   BenchOptions options;
-  return "usage: bench [--name value ...]\n\n"
-         "Measures the engines of the simulation against ODE, in one run: speed on one and two\n"
-         "threads, evolution's own share, memory; or with --agreement where they end, with\n"
-         "--learning how learning runs keep threads and registers busy. About a minute on an idle\n"
-         "machine; the ratios hold on a busy one as well.\n\n"
-         "  bench\n"
-         "  bench --agreement 10000\n"
-         "  bench --learning 50000\n\n" +
-         helpOn(declareOptions(options));
+  return helpOn(
+      "usage: bench [--name value ...]\n"
+      "\n"
+      "Measures the engines of the simulation against ODE, in one run: speed on one and two "
+      "threads, evolution's own share, memory; or with --agreement where they end, with --learning "
+      "how learning runs keep threads and registers busy. About a minute on an idle machine; the "
+      "ratios hold on a busy one as well.\n"
+      "\n"
+      "  bench\n"
+      "  bench --agreement 10000\n"
+      "  bench --learning 50000\n",
+      declareOptions(options));
 }
 
 }  // namespace hexapod

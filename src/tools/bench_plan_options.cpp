@@ -38,14 +38,16 @@ BenchPlanOptions benchPlanOptionsFrom(const std::vector<std::string>& arguments)
 
 std::string benchPlanHelp() {
   BenchPlanOptions options;
-  return "usage: bench_plan --repertoire FILE.db [--name value ...]\n\n"
-         "Measures the planner on one core: plans in the empty world and among obstacles, with "
-         "what\n"
-         "is proved of them, and checks that nothing is touched; with --walks the simulated robot\n"
-         "walks them as well. Times are those of the processor.\n\n"
-         "  bench_plan --repertoire a.db\n"
-         "  bench_plan --repertoire a.db --walks 200 --write results/planning.md\n\n" +
-         helpOn(declareOptions(options));
+  return helpOn(
+      "usage: bench_plan --repertoire FILE.db [--name value ...]\n"
+      "\n"
+      "Measures the planner on one core: plans in the empty world and among obstacles, with what "
+      "is proved of them, and checks that nothing is touched; with --walks the simulated robot "
+      "walks them as well. Times are those of the processor.\n"
+      "\n"
+      "  bench_plan --repertoire a.db\n"
+      "  bench_plan --repertoire a.db --walks 200 --write results/planning.md\n",
+      declareOptions(options));
 }
 
 }  // namespace hexapod

@@ -78,8 +78,8 @@ int benchWalk(const std::vector<std::string>& words) {
   applyOptions(declareOptions(options), valuesFromCommandLine(words, declareOptions(options)),
                kCommandLine);
   if (options.help || options.file.empty()) {
-    std::cout << "usage: bench_walk --file FILE.db [--name value ...]\n\n"
-              << helpOn(declareOptions(options));
+    std::cout << helpOn("usage: bench_walk --file FILE.db [--name value ...]\n",
+                        declareOptions(options));
     return options.help ? 0 : 2;
   }
   const RobotDescription robot = loadRobot(options.urdf, options.robot_config);

@@ -181,11 +181,14 @@ void calibrateWith(const CalibrateOptions& options) {
 
 std::string help() {
   CalibrateOptions options;
-  return "usage: calibrate --file FILE.db --simulated BODY [--name value ...]\n"
-         "       calibrate --file FILE.db --plan PLAN.csv | --trials TRIALS.csv | --draws N\n\n"
-         "Finds friction, servo gain, torque and mass of a robot from where some twenty of its\n"
-         "behaviours end, and writes a YAML of the robot to learn with.\n\n" +
-         helpOn(declareOptions(options));
+  return helpOn(
+      "usage: calibrate --file FILE.db --simulated BODY [--name value ...]\n"
+      "       calibrate --file FILE.db --plan PLAN.csv | --trials TRIALS.csv |\n"
+      "                 --draws N\n"
+      "\n"
+      "Finds friction, servo gain, torque and mass of a robot from where some twenty of its "
+      "behaviours end, and writes a YAML of the robot to learn with.\n",
+      declareOptions(options));
 }
 
 int run(const std::vector<std::string>& words) {

@@ -74,18 +74,22 @@ EvolveOptions evolveOptionsFrom(const std::vector<std::string>& arguments) {
 }
 
 std::string evolveHelp(EvolveOptions options) {
-  return "usage: evolve --file FILE.db [--name value ...]\n\n"
-         "Learns a repertoire of gaits, without ROS. Same options and seed, same\n"
-         "repertoire as the node learner's. Ctrl-C saves and ends; --resume goes on.\n\n"
-         "  evolve --file gaits.db --evaluations 20000 --seed 3\n"
-         "  evolve --file gaits.db --evaluations 50000 --seed 3 --resume\n"
-         "  evolve --file gaits.db --preset paper --novelty_threshold_m 0.05\n"
-         "  evolve --file gaits.db --seconds 60   (how far depends on the machine)\n"
-         "  mpirun -n 8 evolve --file gaits.db --evaluations 1000000   (same result)\n\n"
-         "--file is short for --repertoire_file, --seconds for --time_budget_s. The\n"
-         "preset's options come first, then those of --config, then these. In brackets:\n"
-         "the values with which it would begin.\n\n" +
-         helpOn(declareOptions(options));
+  return helpOn(
+      "usage: evolve --file FILE.db [--name value ...]\n"
+      "\n"
+      "Learns a repertoire of gaits, without ROS. Same options and seed, same repertoire as the "
+      "node learner's. Ctrl-C saves and ends; --resume goes on.\n"
+      "\n"
+      "  evolve --file gaits.db --evaluations 20000 --seed 3\n"
+      "  evolve --file gaits.db --evaluations 50000 --seed 3 --resume\n"
+      "  evolve --file gaits.db --preset paper --novelty_threshold_m 0.05\n"
+      "  evolve --file gaits.db --seconds 60   (how far depends on the machine)\n"
+      "  mpirun -n 8 evolve --file gaits.db --evaluations 1000000   (same result)\n"
+      "\n"
+      "--file is short for --repertoire_file, --seconds for --time_budget_s. The preset's options "
+      "come first, then those of --config, then these. In brackets: the values with which it would "
+      "begin.\n",
+      declareOptions(options));
 }
 
 }  // namespace hexapod

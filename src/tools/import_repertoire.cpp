@@ -32,10 +32,12 @@ std::vector<Option> declareOptions(Options& options) {
 }
 
 std::string usage(Options& options) {
-  return "usage: import_repertoire --from FILE.csv|FILE.mprim --file FILE.db [--name value ...]\n\n"
-         "  import_repertoire --from steps.csv --file steps.db --length_unit cm --angle_unit "
-         "deg\n\n" +
-         helpOn(declareOptions(options));
+  return helpOn(
+      "usage: import_repertoire --from FILE.csv|FILE.mprim --file FILE.db\n"
+      "                         [--name value ...]\n"
+      "\n"
+      "  import_repertoire --from steps.csv --file steps.db --length_unit cm\n",
+      declareOptions(options));
 }
 
 int import(const std::vector<std::string>& arguments) {

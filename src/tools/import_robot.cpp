@@ -86,10 +86,12 @@ int runImport(const Arguments& arguments) {
 
 std::string help() {
   Arguments arguments;
-  return "usage: import_robot my.urdf [--name value ...]\n\n"
-         "Writes NAME.urdf and NAME.yaml for the learner, says what was changed and how the robot\n"
-         "stands and walks. Exit code 3: written, but not ready to learn.\n\n" +
-         helpOn(declareOptions(arguments));
+  return helpOn(
+      "usage: import_robot my.urdf [--name value ...]\n"
+      "\n"
+      "Writes NAME.urdf and NAME.yaml for the learner, says what was changed and how the robot "
+      "stands and walks. Exit code 3: written, but not ready to learn.\n",
+      declareOptions(arguments));
 }
 
 int run(const std::vector<std::string>& words) {

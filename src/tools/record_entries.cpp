@@ -23,7 +23,7 @@ namespace hexapod {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: record_entries FILE.db --entries 3,17,3 [--name value ..]\n"
+    "usage: record_entries FILE.db --entries 3,17,3 [--name value ...]\n\n"
     "Prints as JSON, for every command of those behaviours: the joints of each leg from body to "
     "foot [m], and whether the foot stands.\n";
 
@@ -154,7 +154,7 @@ RecordOptions optionsFrom(const std::vector<std::string>& words) {
 int run(const std::vector<std::string>& words) {
   if (words.empty() || words[0].rfind('-', 0) == 0) {
     RecordOptions options;
-    std::cerr << kUsage << "\n" << helpOn(declareOptions(options));
+    std::cerr << helpOn(kUsage, declareOptions(options));
     return 2;
   }
   try {

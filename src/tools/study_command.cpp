@@ -123,19 +123,19 @@ std::vector<RunPlan> plansOf(const StudyCommand& command) {
 
 std::string studyHelp() {
   StudyCommand command;
-  return "usage: study [--name value ...]\n\n"
-         "Repeats the study of Cully & Mouret 2013: BR-Evolution, the control experiments\n"
-         "\"nearest\" and \"orientation\" (both chosen from the runs of the algorithm targets), "
-         "and\n"
-         "MAP-Elites. Each run has one thread and a folder of its own; started again, the study\n"
-         "goes on with the runs that are not finished. study_report.py FOLDER draws the "
-         "figures.\n\n"
-         "  study --quick --folder quick\n"
-         "  study --folder paper                                 (40 runs of 1,000,000)\n"
-         "  study --folder paper --runs 20 --evaluations 100000\n"
-         "  mpirun -n 64 study --folder paper                    (on a file system they "
-         "share)\n\n" +
-         helpOn(declareOptions(command));
+  return helpOn(
+      "usage: study [--name value ...]\n"
+      "\n"
+      "Repeats the study of Cully & Mouret 2013: BR-Evolution, the control experiments \"nearest\" "
+      "and \"orientation\" (both chosen from the runs of the algorithm targets), and MAP-Elites. "
+      "Each run has one thread and a folder of its own; started again, the study goes on with the "
+      "runs that are not finished. study_report.py FOLDER draws the figures.\n"
+      "\n"
+      "  study --quick --folder quick\n"
+      "  study --folder paper                  (40 runs of 1,000,000)\n"
+      "  study --folder paper --runs 20 --evaluations 100000\n"
+      "  mpirun -n 64 study --folder paper     (on a file system they share)\n",
+      declareOptions(command));
 }
 
 }  // namespace hexapod
