@@ -46,6 +46,11 @@ class Partner:
         for line in self._process.stdout:
             self.values.append(json.loads(line))
 
+    def finish(self):
+        """Lets it begin nothing more, but stay."""
+        self._process.stdin.write("\n")
+        self._process.stdin.flush()
+
     def leave(self):
         """Ends it; it may still have to wait for something."""
         self._process.stdin.close()
@@ -230,7 +235,7 @@ def main():
             ws.wait_for(lambda: maps.values, 30.0, "the first map")
             storm = Storm(session, client, maps)
             storm.run(12.0 if arguments.short else arguments.seconds)
-            maps.leave()
+            maps.finish()
             ws.wait_for(storm.latest_map_is_in_use, 30.0, "the last map to be in use")
         print(storm.report())
         problems = storm.problems(arguments.short)

@@ -183,6 +183,7 @@ def test_goals_that_cannot_be_walked_to_are_refused_with_the_reason_and_the_near
 
 def test_a_map_that_changes_in_mid_walk_is_walked_around(client, floor):
     floor.show(lambda x, y: False)
+    expect_map(client, floor, (1.05, 0.0, 0.0), "SUCCEEDED")  # and no longer the ring
     walked = client.walk_to(floor.goal(1.8, 0.0, 0.0))
     ws.wait_for(lambda: client.state == ExecutorState.WALKING, 20.0, "the robot to walk")
     ahead_m = floor.robot()[0] + 0.8

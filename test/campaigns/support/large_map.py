@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""Publishes a large map of which a bit changes every time, until standard input ends.
+"""Publishes a large map of which a bit changes every time, until a line comes on standard input;
+the last one is there until that ends.
 
 Boxes all over, and some that come and go around the position given as arguments [m, in odom]. A
 process of its own: writing 16 million cells holds up others in the same interpreter. Prints the
@@ -82,7 +83,9 @@ def main():
     """Until standard input ends."""
     rospy.init_node("large_map", disable_signals=True, disable_rostime=True)
     over = threading.Event()
-    threading.Thread(target=lambda: (sys.stdin.read(), over.set()), daemon=True).start()
+    input_ends = threading.Thread(target=lambda: (sys.stdin.readline(), over.set(),
+                                                  sys.stdin.read()), daemon=True)
+    input_ends.start()
     large_map = LargeMap(float(sys.argv[1]), float(sys.argv[2]))
     publisher = rospy.Publisher("map", LargeGrid, latch=True, queue_size=1)
     due = time.monotonic()
@@ -92,8 +95,7 @@ def main():
         print(json.dumps(newest), flush=True)
         due += PERIOD_S
         over.wait(max(0.0, due - time.monotonic()))
-    # A latched message goes with its publisher: the last one has to be on its way.
-    time.sleep(PERIOD_S)
+    input_ends.join()  # a latched message goes with its publisher
 
 
 if __name__ == "__main__":
