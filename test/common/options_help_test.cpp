@@ -11,8 +11,8 @@ TEST(OptionsHelp, HasNameValueRangeAndMeaningInEightyColumns) {
   double way_m = 0.25;
   std::string file;
   const std::string help = helpOn(
-      "usage: way [--name value]\n\n" + std::string("A word and another. ") +
-          "More of them than a line of eighty columns can have,\nand more.\n\n  way --file a\n",
+      "usage: way [--name value]\n\nA word and another. "
+      "More of them than a line of eighty columns can have,\nand more.\n\n  way --file a\n",
       {option("way_m", way_m, "m", "How far `it` goes.", 0.0, 1.0),
        option("file", file,
               "A name " + std::string(30, 'x') + " that goes on and on for longer " +

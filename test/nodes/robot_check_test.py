@@ -65,8 +65,15 @@ def test_a_second_teller_is_found(session):
     assert "/robot_check_test, /simulated_robot all tell body_leg_0" in text
 
 
-def test_a_leg_that_hangs_limp_is_found(session):
+def test_every_joint_of_a_good_robot_moves_as_it_should(session):
     wait_ready()
+    code, text = check("joint_check", "--yes")
+    assert code == 0, text
+    assert text.count("alone: watch the foot go") == 18
+    assert "WRONG" not in text
+
+
+def test_a_leg_that_hangs_limp_is_found(session):
     disturb = rospy.ServiceProxy("simulated_robot/disturb", Disturb)
     disturb(legs=["left_middle"], states=[3])
     try:

@@ -190,10 +190,10 @@ def test_frames_are_parameters_of_rviz(session, screen, tmp_path, monkeypatch):
 def point_at_an_entry(screen, pointed, entries):
     """Moves the mouse over the repertoire until it is close to an entry that can be played."""
     green = is_green(screen)
-    places = list(itertools.product(range(720, 900, 3), range(200, 420, 3)))
-    # Where most is green around.
-    places.sort(key=lambda place: -green[place[1] - 4:place[1] + 5, place[0] - 4:place[0] + 5].sum())
-    for x, y in places[:400]:
+    places = itertools.product(range(720, 900, 3), range(200, 420, 3))
+    # Most is green around there first.
+    best = sorted(places, key=lambda p: -green[p[1] - 4:p[1] + 5, p[0] - 4:p[0] + 5].sum())
+    for x, y in best[:400]:
         pointed.clear()
         screen.do("mousemove", x, y)
         try:

@@ -16,8 +16,9 @@ struct NodeMain {
 /// The main() of every node. With --help prints the options. Otherwise waits for a ROS master
 /// (naming it every few seconds), starts ROS, runs the body. What the body throws becomes one FATAL
 /// line per sentence and an exit code: 2 for std::invalid_argument (wrong options), else 1.
-/// SIGINT, SIGTERM and SIGHUP only set leaveFlag(): a body ends in order. Unless it saves it has
-/// 2 s for that, whatever hangs: a master, also in the midst of its start, or a callback.
+/// SIGINT, SIGTERM and SIGHUP only set leaveFlag(): a body ends in order. Unless it saves the
+/// process is gone within 2 s, whatever hangs: a master, also in the midst of its start, or a
+/// callback.
 int runNode(int argc, char** argv, const NodeMain& node);
 
 /// True once a signal asked the process to leave.
@@ -33,8 +34,8 @@ void waitUntilAskedToLeave();
 /// achieved, where it is, what to do next. It is the private parameter last_words.
 void leaveLastWords(const std::string& sentence);
 
-/// Returns `code`, and ends the process with it after 2 s, counted from the signal where one came
-/// and nothing was to be saved, if it has not ended by then. For a body whose work is done.
+/// Returns `code`, and ends the process with it within 2 s, counted from the signal where one came
+/// and nothing was to be saved, if it has not ended by itself. For a body whose work is done.
 int leaveInTime(int code);
 
 }  // namespace hexapod

@@ -28,8 +28,7 @@ constexpr std::uint32_t kActionQueueSize = 10'000;
 /// - a goal whose cancel overtook it on the way ends PREEMPTED with the result `cancelled_early`,
 ///   not RECALLED with an empty result, whose code 0 reads as success;
 /// - a goal that was sent before all were cancelled, and comes just after that, is cancelled, too,
-/// but
-///   for simulated time (CancelMemory);
+///   except in simulated time (CancelMemory);
 /// - a cancel is stamped no later than it came, and one that was stamped before the clock was set
 ///   back cancels no later goals;
 /// - a goal or cancel with an id of more than kLongestId characters is left out, with a warning:
