@@ -202,7 +202,7 @@ TEST(ImportRobot, ImpossibleRobotsAreRefusedWithTheReason) {
 TEST(ImportRobot, ReportTellsWhereFeetGoAndThatItIsReady) {
   const std::string report = reportOf(import(hexapodUrdf({})));
   for (const char* part : {"6 legs, 18 joints", "left_front: signal 1 (", "Stands 0.1",
-                           "Left and right are mirror images.", "Of 200 random gaits",
+                           "Left and right are mirror images.", "Of 24 random gaits",
                            "between steps of 15 and 5 ms", "Engine reduced", "Ready to learn."}) {
     EXPECT_NE(report.find(part), std::string::npos) << part << "\n" << report;
   }

@@ -14,7 +14,7 @@ ImportResult import(const std::string& urdf, const std::string& folder) {
   request.urdf_text = urdf;
   request.urdf_name = "given.urdf";
   request.urdf_folder = folder;
-  request.gaits = 200;
+  request.gaits = 24;
   return importRobot(request);
 }
 
