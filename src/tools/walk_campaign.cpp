@@ -22,6 +22,14 @@ Pose2 randomGoal(Random& random, double radius_m) {
           random.uniform(-M_PI, M_PI)};
 }
 
+Physics told(Physics physics, double error) {
+  physics.friction_scale *= 1.0 + error;
+  physics.torque_scale *= 1.0 + error;
+  physics.servo_gain_scale /= 1.0 + error;
+  physics.mass_scale /= 1.0 + error;
+  return physics;
+}
+
 std::shared_ptr<Foresight> foresightFor(Adaptation adaptation, const RobotDescription& robot,
                                         const LearnedWorld& learned, const TrueBody& body,
                                         const CampaignOptions& campaign) {
@@ -40,7 +48,8 @@ std::shared_ptr<Foresight> foresightFor(Adaptation adaptation, const RobotDescri
     case Adaptation::kRelearned:
       break;
   }
-  return std::make_shared<SelfModel>(robot, learned, options, body.physics);
+  return std::make_shared<SelfModel>(robot, learned, options,
+                                     told(body.physics, campaign.told_error));
 }
 
 // As new as the first one was.
@@ -104,6 +113,11 @@ std::vector<Option> declareOptions(CampaignOptions& options) {
              "Standard deviation of measured positions, per axis.", 0.0, 1.0),
       option("measurement_noise_rad", options.measurement_noise_rad, "rad",
              "Standard deviation of measured headings.", 0.0, 1.0),
+      option(
+          "told_error", options.told_error, "",
+          "By this share friction and torque are told too high in 'told', servo gain and mass too "
+          "low: who is told knows no more than somebody could measure.",
+          0.0, 0.5),
       option("keep_belief", options.keep_belief,
              "Walk from goal to goal, each relative to where the robot stands, with what was "
              "learned on the way; the first goal is not counted."),

@@ -28,6 +28,9 @@ struct CampaignOptions {
   double measurement_noise_rad = 0.0;  ///< and of a measured heading
   std::string engine = "reduced";      ///< of the world that is walked in
   std::int64_t relearn_evaluations = 30000;
+  /// What is told of a body is not quite so: friction and torque are told higher by this share,
+  /// servo gain and mass lower.
+  double told_error = 0.0;
   bool keep_belief = false;  ///< one walk from goal to goal; the first one is not counted
 };
 
