@@ -65,8 +65,8 @@ class Partner:
 class Storm:
     """One campaign; events are drawn from one seed, their times are the machine's."""
 
-    def __init__(self, session, client, maps):
-        self.session, self.client, self.maps = session, client, maps
+    def __init__(self, session, client, maps, home):
+        self.session, self.client, self.maps, self.home = session, client, maps, home
         self.random = random.Random(SEED)
         self.crowd = {"called": 0, "took_s": [], "failed": []}
         self.counts = {}
@@ -145,13 +145,14 @@ class Storm:
                 memory_due += 1.0
 
     def latest_map_is_in_use(self):
-        """Whether a goal in the box that came last is refused for it."""
-        from hexapod_repertoire.srv import GoToResponse
+        """Whether no plan leads into the box that came last, from where the storm began, which maps
+        leave free: it may have left the robot in a box."""
+        import rospy
+        from nav_msgs.srv import GetPlan
         from walking_client import goal_message
-        target = goal_message(*self.maps.values[-1], 0.0)
-        asked = self.client.walk_to(target, plan_only=True)
-        ws.wait_for(lambda: asked.answers, ANSWER_TIMEOUT_S, "an answer")
-        return asked.answers[0].code == GoToResponse.GOAL_OCCUPIED
+        return not rospy.ServiceProxy("make_plan", GetPlan)(
+            start=goal_message(*self.home), goal=goal_message(*self.maps.values[-1], 0.0),
+            tolerance=0.1).plan.poses
 
     def waits_s(self):
         """From a cancel of a goal of walk_to to its answer."""
@@ -231,9 +232,10 @@ def main():
         from walking_client import WalkingClient
         client = WalkingClient()
         client.wait_ready()
-        with Partner("large_map.py", *client.pose()[:2]) as maps:
+        home = client.pose()
+        with Partner("large_map.py", *home[:2]) as maps:
             ws.wait_for(lambda: maps.values, 30.0, "the first map")
-            storm = Storm(session, client, maps)
+            storm = Storm(session, client, maps, home)
             storm.run(12.0 if arguments.short else arguments.seconds)
             maps.finish()
             ws.wait_for(storm.latest_map_is_in_use, 30.0, "the last map to be in use")

@@ -32,12 +32,13 @@ def free_port():
         return a_socket.getsockname()[1]
 
 
-def small_repertoire(folder):
+def small_repertoire(folder, validation_trials=4):
     """A repertoire file that covers half a metre around the robot; some seconds."""
     file = pathlib.Path(folder) / "small.db"
     subprocess.run(
         [str(BINARIES / "evolve"), "--file", str(file), "--evaluations", "2000", "--seed", "1",
-         "--verify_with_ode", "false", "--resimulate", "false", "--validation_trials", "4"],
+         "--verify_with_ode", "false", "--resimulate", "false", "--validation_trials",
+         str(validation_trials)],
         check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     return file
 
@@ -50,7 +51,7 @@ class WalkingSession:
     """
 
     def __init__(self, real_time_factor=1.0, sim_time=False, settable_clock=False, nodes=NODES,
-                 params=None):
+                 params=None, validation_trials=4):
         self._folder = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self._folder.name)
         self._port = free_port()
@@ -58,6 +59,7 @@ class WalkingSession:
         self._processes = {}
         self._sim_time, self._factor, self._nodes = sim_time, real_time_factor, nodes
         self._params = params or {}
+        self._validation_trials = validation_trials
         self._clock_file = self.folder / "clock" if settable_clock else None
         if self._clock_file:
             self._clock_file.write_bytes(bytes(8))
@@ -95,7 +97,7 @@ class WalkingSession:
             return False
 
     def _set_params(self):
-        repertoire = small_repertoire(self.folder)
+        repertoire = small_repertoire(self.folder, self._validation_trials)
         robot_config = str(ROOT / "config/hexapod.yaml")
         values = {
             "/robot_description": (ROOT / "urdf/hexapod.urdf").read_text(encoding="utf-8"),
