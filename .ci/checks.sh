@@ -103,21 +103,19 @@ build_sanitized() {
 
 # The tests of the core find no memory error and no undefined behaviour. Left out are those that do the
 # same many times over, whole robots that learn and walk among them: they take as long under sanitizers
-# as all others together, and run nothing that others do not. Of undefined behaviour what the address
-# sanitizer sees, too, is left to it, and alignment to the fuzzers of what comes from outside: a third of
-# the time.
+# as all others together, and run nothing that others do not. What the address
+# sanitizer sees of undefined behaviour, too, is left to it.
 check_address() {
   local targets stations
   mapfile -t stations < <(core_stations)
   mapfile -t targets < <(test_programs "${stations[@]}")
   build_sanitized address "-fsanitize=address,undefined $strict \
--fno-sanitize=null,alignment,object-size,vptr" \
+-fno-sanitize=null,object-size" \
     -DCMAKE_CXX_COMPILER=clang++ -DCMAKE_DISABLE_FIND_PACKAGE_catkin=ON
   local again='ImportedRobots.*:*/ShippedRobots.*:ReducedOracle.EndsBehavioursWhereOdeDoes'
   again+=':FitBody.FindsTheBodyThatWalked:EngineAgreement.*:ClosedLoop.*:*EndsTheSame*'
   again+=':ResumeTest.VerifiesAnew*:VerifyTest.IsRecorded*:RobustSession.KeepsNow*:WarmStartTest.Has*'
   again+=':ImportRobot.TenLegs*:ImportRobot.Sizes*:ImportRobot.Round*:RoughFiles.Legs*'
-  again+=':RoughFiles.ForwardIs*:RoughFiles.UnitsOf*'
   (cd "$build/address" && export GTEST_FILTER="-$again" &&
     export LSAN_OPTIONS="suppressions=$root/.ci/address.supp" &&
     ctest --output-on-failure -j"$(nproc)" -R "^($(IFS='|' && echo "${targets[*]}"))\$")

@@ -113,11 +113,11 @@ std::vector<Option> declareOptions(CampaignOptions& options) {
              "Standard deviation of measured positions, per axis.", 0.0, 1.0),
       option("measurement_noise_rad", options.measurement_noise_rad, "rad",
              "Standard deviation of measured headings.", 0.0, 1.0),
-      option(
-          "told_error", options.told_error, "",
-          "By this share friction and torque are told too high in 'told', servo gain and mass too "
-          "low: who is told knows no more than somebody could measure.",
-          0.0, 0.5),
+      option("told_error", options.told_error, "",
+             "By this share friction and torque are told too high in 'told' and 'relearned', servo "
+             "gain "
+             "and mass too low: who is told knows no more than somebody could measure.",
+             0.0, 0.5),
       option("keep_belief", options.keep_belief,
              "Walk from goal to goal, each relative to where the robot stands, with what was "
              "learned on the way; the first goal is not counted."),

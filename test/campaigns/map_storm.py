@@ -145,14 +145,17 @@ class Storm:
                 memory_due += 1.0
 
     def latest_map_is_in_use(self):
-        """Whether no plan leads into the box that came last, from where the storm began, which maps
-        leave free: it may have left the robot in a box."""
+        """Whether plans from where the storm began, which maps leave free, lead to a place nearby but
+        not into the box that came last. The storm may have left the robot itself in a box."""
+        x, y, yaw = self.home
+        return self.is_planned_to(x + 0.5, y, yaw) and not self.is_planned_to(*self.maps.values[-1], 0.0)
+
+    def is_planned_to(self, *goal):
         import rospy
         from nav_msgs.srv import GetPlan
         from walking_client import goal_message
-        return not rospy.ServiceProxy("make_plan", GetPlan)(
-            start=goal_message(*self.home), goal=goal_message(*self.maps.values[-1], 0.0),
-            tolerance=0.1).plan.poses
+        return bool(rospy.ServiceProxy("make_plan", GetPlan)(
+            start=goal_message(*self.home), goal=goal_message(*goal), tolerance=0.1).plan.poses)
 
     def waits_s(self):
         """From a cancel of a goal of walk_to to its answer."""

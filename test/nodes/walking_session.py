@@ -32,7 +32,7 @@ def free_port():
         return a_socket.getsockname()[1]
 
 
-def small_repertoire(folder, validation_trials=4):
+def small_repertoire(folder, validation_trials):
     """A repertoire file that covers half a metre around the robot; some seconds."""
     file = pathlib.Path(folder) / "small.db"
     subprocess.run(
