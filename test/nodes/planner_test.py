@@ -11,7 +11,8 @@ import rostest
 from actionlib_msgs.msg import GoalStatus
 from geometry_msgs.msg import PoseStamped
 from hexapod_repertoire.demo import to_message, validated_repertoire, wait_until_ready
-from hexapod_repertoire.msg import (ExecutorState, LearningProgress, StepReport, WalkToAction,
+from hexapod_repertoire.msg import (ExecuteBehaviorActionResult, ExecuteBehaviorResult,
+                                    ExecutorState, LearningProgress, StepReport, WalkToAction,
                                     WalkToGoal)
 from hexapod_repertoire.srv import GetRepertoire, GoTo, GoToRequest, GoToResponse
 from nav_msgs.msg import Path
@@ -70,8 +71,8 @@ class Planner(unittest.TestCase):
         self.assertNotIn(ExecutorState.WALKING, [message.state for message in states.all()])
 
     def test_walks_to_a_goal_and_reports_every_behaviour(self):
-        states = Recorder("executor/state", ExecutorState)
-        skipped = states.next().skipped
+        results = Recorder("execute/result", ExecuteBehaviorActionResult)
+        results.wait_publisher()
         before = self.steps.count()
         answer = self.ask(0.5, 0.2, 0.0, frame="base_footprint", wait=True, xy_m=0.08,
                           heading_rad=-1.0)
@@ -80,9 +81,16 @@ class Planner(unittest.TestCase):
         self.assertLessEqual(answer.final_xy_error_m, 0.08)
         self.assertGreater(len(answer.plan.poses), 10)
         # A behaviour of which a busy machine had commands skipped is none of an entry: without report.
-        whole = answer.steps if states.next().skipped == skipped else 0
-        wait_for(lambda: self.steps.count() >= before + whole, WALL_TIMEOUT_S,
-                 f"step reports of {whole} of {answer.steps} behaviours")
+        ends = (ExecuteBehaviorResult.SUCCEEDED, ExecuteBehaviorResult.SKIPPED)
+
+        def codes():
+            # One that was broken off before may end only now.
+            return [m.result.code for m in results.all() if m.result.code in ends]
+        wait_for(lambda: len(codes()) >= answer.steps, WALL_TIMEOUT_S, "results of the executor")
+        self.assertEqual(len(codes()), answer.steps)
+        played = codes().count(ExecuteBehaviorResult.SUCCEEDED)
+        wait_for(lambda: self.steps.count() >= before + played, WALL_TIMEOUT_S,
+                 f"reports of {played} of {answer.steps} behaviours")
         self.assertEqual(answer.final_pose.header.frame_id, "odom")
 
     def test_does_nothing_when_it_is_there_already(self):
