@@ -1,9 +1,10 @@
 """Before a robot walks: `preflight` looks at its wires, `joint_check` moves one joint at a time."""
 import argparse
+import functools
 import pathlib
 import sys
 import tempfile
-from typing import Any, Dict, List
+from typing import Any, Dict, List, Tuple
 
 import rosgraph
 import rospy
@@ -18,7 +19,6 @@ from hexapod_repertoire.waiting import Asker, Latest, Silence
 
 COMMAND_TYPES = {"sensor_msgs/JointState", "trajectory_msgs/JointTrajectory",
                  "std_msgs/Float64MultiArray", "std_msgs/Float64"}
-TRIES = 3  # at moving a joint without a skipped command
 NO_EXECUTOR = ("No executor answers on executor/state; start one for your robot: ./run walk "
                "simulated:=false, with its urdf_file, robot_config and executor_config.")
 
@@ -127,33 +127,31 @@ def move(programs: pathlib.Path, is_confirmed: bool, waits: bool) -> int:
     faults, seen = 0, False
     for movement in joint_check.movements(robot):
         print(joint_check.sentence(movement), flush=True)
-        result = swing(executor, movement)
-        if result.code not in (ExecuteBehaviorResult.SUCCEEDED, ExecuteBehaviorResult.SKIPPED):
-            print(f"It was not played: {result.message}", file=sys.stderr)
-            return 1
-        measured = joint_check.swings(names, result.joint_min_rad, result.joint_max_rad)
-        seen = seen or bool(measured)
-        for problem in joint_check.judge(movement, measured) if measured else []:
+        problems, is_read = joint_check.try_out(
+            movement, functools.partial(play, executor, names, movement))
+        seen = seen or is_read
+        for problem in problems:
             print(f"  WRONG: {problem}")
-            faults += 1
+        faults += len(problems)
     print(conclusion(faults, seen))
     return 1 if faults else 0
 
 
-def swing(executor: Asker, movement: joint_check.Movement) -> Any:
-    """The executor's result. Where commands were skipped, what came after them was far away and made
-    other joints give way: the joint is moved again."""
-    for _ in range(TRIES):
-        try:
-            result = executor.ask(ExecuteBehaviorGoal(
-                entry_id=-1, genome=movement.genome, gene_levels=joint_check.GENE_LEVELS,
-                joints=[movement.joint]))
-        except (KeyboardInterrupt, rospy.ROSInterruptException):
-            executor.cancel()
-            raise
-        if result.code != ExecuteBehaviorResult.SKIPPED:
-            break
-    return result
+def play(executor: Asker, names: List[str],
+         movement: joint_check.Movement) -> Tuple[bool, Dict[str, float]]:
+    """Moves a joint: whether no command was skipped, and the swings measured. RuntimeError if not
+    played."""
+    try:
+        result = executor.ask(ExecuteBehaviorGoal(
+            entry_id=-1, genome=movement.genome, gene_levels=joint_check.GENE_LEVELS,
+            joints=[movement.joint]))
+    except (KeyboardInterrupt, rospy.ROSInterruptException):
+        executor.cancel()
+        raise
+    if result.code not in (ExecuteBehaviorResult.SUCCEEDED, ExecuteBehaviorResult.SKIPPED):
+        raise RuntimeError(f"It was not played: {result.message}")
+    return (result.code == ExecuteBehaviorResult.SUCCEEDED,
+            joint_check.swings(names, result.joint_min_rad, result.joint_max_rad))
 
 
 def conclusion(faults: int, seen: bool) -> str:

@@ -20,6 +20,7 @@ int learn() {
   LearnerNode learner(node, private_node, options);
   ros::AsyncSpinner spinner(1);
   spinner.start();
+  saveBeforeLeaving();
   const int code = leaveInTime(learner.run());
   leaveLastWords(learner.lastWords());
   return code;
@@ -34,5 +35,5 @@ std::string optionTable() {
 }  // namespace hexapod
 
 int main(int argc, char** argv) {
-  return hexapod::runNode(argc, argv, {"learner", hexapod::learn, hexapod::optionTable, true});
+  return hexapod::runNode(argc, argv, {"learner", hexapod::learn, hexapod::optionTable});
 }

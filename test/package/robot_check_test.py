@@ -57,6 +57,24 @@ def test_exchanged_servos_are_told_as_two_things():
     assert "hip_l did not move" in problems[0] and "hip_r moved" in problems[1]
 
 
+GOOD, GIVING_WAY = swings(hip_l=0.4), swings(hip_l=0.4, knee_l=0.2)
+
+
+@pytest.mark.parametrize("plays, number, is_wrong, is_read", [
+    ([(True, GOOD)], 1, False, True),
+    ([(True, GIVING_WAY), (True, GOOD)], 2, False, True),
+    ([(False, GOOD), (False, GIVING_WAY), (True, GOOD)], 3, False, True),
+    ([(True, GIVING_WAY)] * 3, 3, True, True),
+    ([(False, GOOD)] * 3, 3, False, True),
+    ([(False, {}), (True, {})], 2, False, False),
+])
+def test_only_what_is_wrong_in_every_try_is_a_fault(plays, number, is_wrong, is_read):
+    left = iter(plays)
+    problems, read = joint_check.try_out(joint_check.movements(ROBOT)[0], lambda: next(left))
+    assert (bool(problems), read) == (is_wrong, is_read)
+    assert len(list(left)) == len(plays) - number
+
+
 def test_results_of_nobody_who_looked_are_no_swings():
     assert not joint_check.swings(JOINTS, [], [])
     assert joint_check.swings(JOINTS, [-0.1, 0.0], [0.3, 0.0]) == pytest.approx(

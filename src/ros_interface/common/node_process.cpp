@@ -1,5 +1,6 @@
 #include "ros_interface/common/node_process.h"
 
+#include <pthread.h>
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/master.h>
@@ -23,10 +24,35 @@ constexpr int kPollsPerWarning = 60;
 constexpr std::chrono::milliseconds kLongestEnd{1300};
 
 std::atomic<bool> leave{false};
-std::atomic<bool> done{false};  // the body's work
+std::atomic<bool> saves{false};  // has work to save
+std::atomic<bool> done{false};   // the body's work
 std::atomic<int> exit_code{0};
 
-void onSignal(int) { leave = true; }
+// SIGHUP too, unless the process was started to ignore it (by nohup). What a script starts in its
+// background ignores SIGINT, by which roslaunch ends its nodes all the same.
+sigset_t signalsToLeave() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  for (const int signal : {SIGINT, SIGTERM}) {
+    std::signal(signal, SIG_DFL);
+    ::sigaddset(&signals, signal);
+  }
+  struct sigaction hang_up = {};
+  ::sigaction(SIGHUP, nullptr, &hang_up);
+  if (hang_up.sa_handler != SIG_IGN) ::sigaddset(&signals, SIGHUP);
+  return signals;
+}
+
+// Waits for signals in a thread of its own: in any other one, a signal would break off a system
+// call, and with it a question to the master, whose missing answer reads as a missing parameter.
+// To be called before there are other threads, which inherit what is blocked.
+void watchSignals() {
+  const sigset_t signals = signalsToLeave();
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+  std::thread([signals] {
+    for (int signal = 0; ::sigwait(&signals, &signal) == 0;) leave = true;
+  }).detach();
+}
 
 // False when asked to leave meanwhile.
 bool awaitMaster() {
@@ -43,15 +69,18 @@ bool awaitMaster() {
 
 // Ends the process in time, whatever its threads wait for: once its work is done, or a signal asks
 // it to leave and there is nothing to save.
-void watchEnd(bool saves) {
-  std::thread([saves] {
+void watchEnd() {
+  std::thread([] {
     while (!done && (saves || !leave)) std::this_thread::sleep_for(kPoll);
     std::this_thread::sleep_for(kLongestEnd);
     std::_Exit(exit_code);
   }).detach();
 }
 
+// What fails where the node was asked to leave meanwhile, as a master's answer that never came
+// does, is no fault.
 int explain(const std::exception& error, int code) {
+  if (askedToLeave() && !saves) return leaveInTime(0);
   leaveInTime(code);
   std::istringstream lines(error.what());
   for (std::string line; std::getline(lines, line);) ROS_FATAL_STREAM(line);
@@ -76,10 +105,10 @@ int runNode(int argc, char** argv, const NodeMain& node) {
     std::cout << node.options();
     return 0;
   }
+  watchSignals();
   ros::init(argc, argv, node.name, ros::init_options::NoSigintHandler);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, onSignal);
+  watchEnd();
   if (!awaitMaster()) return 0;
-  watchEnd(node.saves);
   // Started here, ROS and its console outlive the body's node handles.
   ros::start();
   ros::param::del("~last_words");  // of an earlier node of this name, at a master that stays
@@ -98,6 +127,8 @@ void waitUntilAskedToLeave() {
 }
 
 void leaveLastWords(const std::string& sentence) { ros::param::set("~last_words", sentence); }
+
+void saveBeforeLeaving() { saves = true; }
 
 int leaveInTime(int code) {
   exit_code = code;
