@@ -135,6 +135,15 @@ def test_rviz_is_installed_only_where_it_will_be_shown(checkout, arguments, disp
     assert ("rviz" in result.stderr.splitlines()[-1].split()) == wanted
 
 
+@pytest.mark.parametrize("arguments, display, told", [
+    (["walk"], "", True), (["walk"], ":0", False), (["view"], "", True),
+    (["walk", "rviz:=false"], "", False), (["learn"], "", False),
+])
+def test_where_rviz_would_open_a_missing_display_is_told(checkout, arguments, display, told):
+    result = run(checkout, *arguments, functions=EVERYTHING_INSTALLED + NO_BUILD, DISPLAY=display)
+    assert ("DISPLAY is not set" in result.stderr) == told
+
+
 def test_arguments_and_exit_code_pass_through_unchanged(checkout):
     result = run(checkout, "learn", "seed:=3", "repertoire_file:=/data/a b.db",
                  functions=EVERYTHING_INSTALLED + NO_BUILD)
