@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "common/text.h"
+
 namespace hexapod {
 namespace {
 
@@ -12,17 +14,11 @@ const std::string kIndent = "      ";
 /// The words of a text in lines; Markdown's marks of code are no use here.
 std::string wrapped(std::string text, const std::string& indent) {
   text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
-  std::istringstream words(text);
   std::string lines;
-  std::string line;
-  for (std::string word; words >> word;) {
-    if (!line.empty() && indent.size() + line.size() + 1 + word.size() > kColumns) {
-      lines += indent + line + "\n";
-      line.clear();
-    }
-    line += (line.empty() ? "" : " ") + word;
+  for (const std::string& line : inLines(text, kColumns - indent.size())) {
+    lines += indent + line + "\n";
   }
-  return lines + indent + line + "\n";
+  return lines;
 }
 
 std::string wrappedParagraphs(const std::string& introduction) {

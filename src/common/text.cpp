@@ -91,4 +91,16 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
+std::vector<std::string> inLines(const std::string& text, std::size_t columns) {
+  std::istringstream words(text);
+  std::vector<std::string> lines(1);
+  for (std::string word; words >> word;) {
+    if (!lines.back().empty() && lines.back().size() + 1 + word.size() > columns) {
+      lines.emplace_back();
+    }
+    lines.back() += (lines.back().empty() ? "" : " ") + word;
+  }
+  return lines;
+}
+
 }  // namespace hexapod

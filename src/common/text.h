@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -35,5 +36,9 @@ std::string trimmed(const std::string& text);
 
 /// The words of "a, b, c", trimmed; none are empty.
 std::vector<std::string> separated(const std::string& text);
+
+/// The words of a text in lines of at most so many characters, but for longer words; one line at
+/// least.
+std::vector<std::string> inLines(const std::string& text, std::size_t columns);
 
 }  // namespace hexapod

@@ -62,5 +62,12 @@ TEST(Text, ListsWordsWithCommasBetweenThem) {
   EXPECT_EQ(trimmed(" \t"), "");
 }
 
+TEST(Text, BreaksLinesBetweenWords) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(inLines("one two  three", 7), (Lines{"one two", "three"}));
+  EXPECT_EQ(inLines("incomprehensible it is", 5), (Lines{"incomprehensible", "it is"}));
+  EXPECT_EQ(inLines("", 5), Lines{""});
+}
+
 }  // namespace
 }  // namespace hexapod

@@ -18,14 +18,17 @@ constexpr double kNeedle_m = 0.025;
 constexpr double kDiscsAt_m = 0.005;
 constexpr double kHeadingsAt_m = 0.006;
 constexpr double kTangentsAt_m = 0.008;
-// Of more entries than these everything is smaller.
-constexpr double kManyEntries = 2000.0;
+// Of more entries than these everything is smaller, and simpler: a graphics card in software draws
+// so many triangles a second.
+constexpr std::size_t kManyEntries = 2000;
 
 /// What is drawn of each entry, all of it by triangles.
 class Symbols {
  public:
   Symbols(const std::string& frame, std::size_t entries)
-      : size_(std::min(1.0, std::sqrt(kManyEntries / static_cast<double>(entries + 1)))),
+      : is_simple_(entries > kManyEntries),
+        size_(std::min(
+            1.0, std::sqrt(static_cast<double>(kManyEntries) / static_cast<double>(entries + 1)))),
         discs_(marker(frame, "end_points", 0, Marker::TRIANGLE_LIST, 1.0)),
         headings_(marker(frame, "headings", 1, Marker::TRIANGLE_LIST, 1.0)),
         tangents_(marker(frame, "tangents", 2, Marker::TRIANGLE_LIST, 1.0)) {
@@ -39,7 +42,7 @@ class Symbols {
     addNeedle(headings_, pose, {0.0, 1.0}, {0.003, kHeadingsAt_m});
     // Dashed, and above the needle of the heading: where both agree, both are seen.
     const Pose2 along{pose.x_m, pose.y_m, arcThrough(pose.x_m, pose.y_m).heading_rad};
-    addNeedle(tangents_, along, {0.2, 0.5}, {0.002, kTangentsAt_m});
+    if (!is_simple_) addNeedle(tangents_, along, {0.2, 0.5}, {0.002, kTangentsAt_m});
     addNeedle(tangents_, along, {0.7, 1.0}, {0.002, kTangentsAt_m});
   }
 
@@ -64,15 +67,16 @@ class Symbols {
   };
 
   /// Two triangles that make a star of six points: in the size of a dot a disc, for half of the
-  /// triangles.
+  /// triangles. One, where it is smaller than that.
   void addDisc(const Pose2& pose, const std_msgs::ColorRGBA& tint) {
+    const int triangles = is_simple_ ? 1 : 2;
     const double radius_m = size_ * kDiscRadius_m;
-    for (int i = 0; i < 6; ++i) {
+    for (int i = 0; i < 3 * triangles; ++i) {
       const double angle = 2.0 * M_PI * i / 3.0 + (i < 3 ? 0.0 : M_PI);
       discs_.points.push_back(point(pose.x_m + radius_m * std::cos(angle),
                                     pose.y_m + radius_m * std::sin(angle), kDiscsAt_m));
     }
-    discs_.colors.insert(discs_.colors.end(), 2, tint);  // of the triangles
+    discs_.colors.insert(discs_.colors.end(), triangles, tint);
   }
 
   /// Wide where it begins, a point where it ends.
@@ -87,6 +91,7 @@ class Symbols {
     at(span.from, 0.5);
   }
 
+  const bool is_simple_;
   const double size_;
   Marker discs_;
   Marker headings_;

@@ -90,7 +90,7 @@ void addLegend(double x_m, double y_m, const std::string& frame,
   }
   array.markers.push_back(scale);
   for (int i = 0; i <= 4; i += 2) {
-    const std::string text = fixedText(2.5 * i, 0) + (i == 4 ? " deg and more" : " deg");
+    const std::string text = (i == 4 ? ">= " : "") + fixedText(2.5 * i, 0) + " deg";
     Marker label = textMarker(frame, "legend", 1 + i, text, 0.9 * kTextHeight_m);
     label.pose.position = point(x_m - i * kStep_m, y_m - 0.14, 0.0);
     label.color = color(0.1, 0.1, 0.1);
@@ -129,7 +129,7 @@ visualization_msgs::MarkerArray sceneMarkers(const RobotDescription& robot,
   Marker figures = textMarker(frame, "figures", 0, figuresOf(repertoire, robot), kTextHeight_m);
   figures.pose.position = point(0.4 * region.arc_length_m, beside_m, 0.0);
   array.markers.push_back(figures);
-  addLegend(-0.4 * region.arc_length_m, -beside_m, frame, array);
+  addLegend(0.4 * region.arc_length_m, -beside_m, frame, array);
   for (Marker& marker : array.markers) marker.frame_locked = true;
   return array;
 }

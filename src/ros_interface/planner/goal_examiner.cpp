@@ -54,6 +54,7 @@ GoalExaminer::Examination GoalExaminer::examine(const GoalRequest& request,
   if (request.twist) return examineTwist(stop);
   Examination examination;
   auto refused = readGoal(request, stop, examination.goal);
+  examination.is_goal_known = !refused;
   if (!refused && !request.plan_only) refused = askPlayer(stop);
   if (!refused) {
     const PoseReading robot = means_.poses.robotPose(stop);

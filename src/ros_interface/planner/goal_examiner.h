@@ -33,6 +33,7 @@ class GoalExaminer {
   struct Examination {
     WalkReport report;  ///< a refusal unless it is a success; then with the plan
     WalkGoal goal;
+    bool is_goal_known = false;  ///< it could be read
     Pose2 start;
     PlanResult plan;
   };

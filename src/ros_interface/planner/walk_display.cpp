@@ -83,7 +83,12 @@ WalkDisplay::WalkDisplay(ros::NodeHandle& node, ros::NodeHandle& private_node, c
       marker_publisher_(node.advertise<visualization_msgs::MarkerArray>("plan_markers", 1, true)),
       step_publisher_(private_node.advertise<hexapod_repertoire::StepReport>("step_report", 10)),
       summary_publisher_(
-          private_node.advertise<hexapod_repertoire::WalkSummary>("walk_summary", 10)) {}
+          private_node.advertise<hexapod_repertoire::WalkSummary>("walk_summary", 10)) {
+  if (sources.footprint.discs.empty()) return;
+  plan_.markers = {footprintMarker(sources.footprint, sources.base_frame)};
+  footprint_ = plan_;
+  marker_publisher_.publish(plan_);
+}
 
 void WalkDisplay::showGoal(const Pose2& goal) {
   geometry_msgs::PoseStamped message;
@@ -94,17 +99,35 @@ void WalkDisplay::showGoal(const Pose2& goal) {
 }
 
 void WalkDisplay::showPlan(const Pose2& start, const PlanResult& plan,
-                           const std::vector<Pose2>& walked, const Pose2& goal,
+                           const std::vector<WalkedStop>& walked, const Pose2& goal,
                            double xy_tolerance_m) {
   PlanPicture picture;
   picture.frame = frame_;
   picture.stops = stopsOf(plan);
   picture.path = samplePath(start, picture.stops, kPathSpacing_m);
-  picture.walked = walked;
+  for (const WalkedStop& stop : walked) {
+    picture.walked.push_back(stop.measured);
+    if (stop.predicted) picture.misses.push_back({*stop.predicted, stop.measured});
+  }
   picture.goal = goal;
   picture.xy_tolerance_m = xy_tolerance_m;
   plan_publisher_.publish(toPathMsg(picture.path, frame_, clock_.rosNow()));
-  marker_publisher_.publish(planMarkers(picture));
+  const std::lock_guard<std::mutex> lock(mutex_);
+  plan_ = planMarkers(picture);
+  plan_.markers.insert(plan_.markers.end(), footprint_.markers.begin(), footprint_.markers.end());
+  marker_publisher_.publish(plan_);
+}
+
+void WalkDisplay::showRefused(const Pose2& goal, double xy_tolerance_m, const WalkReport& report) {
+  RefusedGoal refused{frame_, goal, xy_tolerance_m, report.message, std::nullopt};
+  std::string problem;
+  if (!report.nearest_pose.header.frame_id.empty()) {
+    refused.nearest = fromPoseMsg(report.nearest_pose.pose, problem);
+  }
+  visualization_msgs::MarkerArray array = refusedMarkers(refused);
+  const std::lock_guard<std::mutex> lock(mutex_);
+  array.markers.insert(array.markers.begin(), plan_.markers.begin(), plan_.markers.end());
+  marker_publisher_.publish(array);
 }
 
 void WalkDisplay::reportStep(const std::string& goal_id, std::uint32_t number,

@@ -3,8 +3,10 @@
 #include <nav_msgs/Path.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <visualization_msgs/MarkerArray.h>
 
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -29,6 +31,8 @@ class WalkDisplay : public WalkWatcher {
   struct Sources {
     std::string frame;                    ///< of every pose that is published
     std::function<std::string()> belief;  ///< what is believed of the body, in words; may be empty
+    std::string base_frame;               ///< the robot's, of its footprint
+    Footprint footprint;                  ///< empty: not known
   };
 
   /// The clock must outlive it.
@@ -36,8 +40,9 @@ class WalkDisplay : public WalkWatcher {
               Sources sources);
 
   void showGoal(const Pose2& goal) override;
-  void showPlan(const Pose2& start, const PlanResult& plan, const std::vector<Pose2>& walked,
+  void showPlan(const Pose2& start, const PlanResult& plan, const std::vector<WalkedStop>& walked,
                 const Pose2& goal, double xy_tolerance_m) override;
+  void showRefused(const Pose2& goal, double xy_tolerance_m, const WalkReport& report) override;
   void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,
                   const Pose2& before, const Pose2& after) override;
   void reportWalk(const std::string& goal_id, const WalkReport& report) override;
@@ -46,6 +51,9 @@ class WalkDisplay : public WalkWatcher {
  private:
   const Clock& clock_;
   std::string frame_;
+  visualization_msgs::MarkerArray footprint_;  // none or one
+  std::mutex mutex_;
+  visualization_msgs::MarkerArray plan_;  // that was shown last; guarded by mutex_
   std::function<std::string()> belief_;
   ros::Publisher plan_publisher_;
   ros::Publisher goal_publisher_;

@@ -76,10 +76,12 @@ bool WalkRun::measure() {
     return false;
   }
   if (played_) {
-    means_.watcher.reportStep(goal_.id, report_.steps, *played_, walked_.back(), *robot.pose);
+    means_.watcher.reportStep(goal_.id, report_.steps, *played_, walked_.back().measured,
+                              *robot.pose);
     tally_.noteStep(played_->world_from_end, *robot.pose);
   }
-  walked_.push_back(*robot.pose);
+  walked_.push_back({*robot.pose, std::nullopt});
+  if (played_) walked_.back().predicted = played_->world_from_end;
   tally_.noteRest(*robot.pose);
   noteWhereRobotIs(*robot.pose);
   if (!means_.newer_is_next()) return true;
@@ -102,7 +104,7 @@ Walk::Decision WalkRun::decide() {
   walk_.setObstacles(obstacles_.look());
   goal_.is_thought_about = true;
   Walk::Decision decision =
-      walk_.decide(walked_.back(),
+      walk_.decide(walked_.back().measured,
                    withinWallTime(means_.options, means_.clock, [this] { return goal_.ended(); }));
   goal_.is_thought_about = false;
   return decision;
@@ -124,7 +126,7 @@ Walk::Decision WalkRun::decideOnceOpen() {
 }
 
 std::optional<PlannedStep> WalkRun::plan() {
-  const Pose2& robot = walked_.back();
+  const Pose2& robot = walked_.back().measured;
   const WalkGoal& goal = goal_.goal();
   const Walk::Decision decision = decideOnceOpen();
   if (goal_.ended()) return std::nullopt;
@@ -157,7 +159,8 @@ std::optional<PlannedStep> WalkRun::plan() {
 
 bool WalkRun::isToBreakOff() {
   if (goal_.ended()) return true;
-  touches_ = touches_ || obstacles_.touchesNews(*planner_->planner(), walked_.back(), entry_);
+  touches_ =
+      touches_ || obstacles_.touchesNews(*planner_->planner(), walked_.back().measured, entry_);
   return touches_ || isLost();
 }
 

@@ -51,7 +51,7 @@ class WalkRun {
   Walk walk_;
   WalkReport report_;
   ros::Time rest_;                     // when the robot has come to rest
-  std::vector<Pose2> walked_;          // measured at rest, the newest last
+  std::vector<WalkedStop> walked_;     // the newest last
   std::optional<PlannedStep> played_;  // the last behaviour, if it was played as it is
   TallyKeeper tally_;
   ObstacleWatch obstacles_;

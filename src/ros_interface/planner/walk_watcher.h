@@ -1,12 +1,19 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ros_interface/planner/walk_goal.h"
 
 namespace hexapod {
+
+/// Where a robot came to rest on its walk.
+struct WalkedStop {
+  Pose2 measured;
+  std::optional<Pose2> predicted;  ///< if a behaviour led here that was played as it is
+};
 
 /// Who is shown walks. Poses are in the global frame. From any thread.
 class WalkWatcher {
@@ -15,10 +22,13 @@ class WalkWatcher {
 
   virtual void showGoal(const Pose2& goal) = 0;
 
-  /// The plan from `start`, the poses measured after each behaviour so far, the goal's ring.
+  /// The plan from `start`, where the robot came to rest so far, the goal's ring.
   virtual void showPlan(const Pose2& start, const PlanResult& plan,
-                        const std::vector<Pose2>& walked, const Pose2& goal,
+                        const std::vector<WalkedStop>& walked, const Pose2& goal,
                         double xy_tolerance_m) = 0;
+
+  /// A goal that was refused or given up, and why.
+  virtual void showRefused(const Pose2& goal, double xy_tolerance_m, const WalkReport& report) = 0;
 
   /// Behaviour `number` (from 1) of a goal: what was predicted and what was measured.
   virtual void reportStep(const std::string& goal_id, std::uint32_t number, const PlannedStep& step,

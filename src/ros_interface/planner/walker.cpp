@@ -89,7 +89,9 @@ void Walker::examineGoals() {
 void Walker::examine(const GoalBook::Goal& goal) {
   const auto examination = examiner_.examine(goal->request, [&] { return goal->ended(); });
   if (!examination.report.success()) {
-    if (goal->end(examination.report)) log(goal->id, examination.report);
+    if (!goal->end(examination.report)) return;
+    log(goal->id, examination.report);
+    if (examination.is_goal_known) showIfRefused(examination.goal, examination.report);
     return;
   }
   if (!goal->request.plan_only) {
@@ -111,12 +113,21 @@ void Walker::walkToGoals() {
         // What the walk told by itself, now or before it was over; not a cancel.
         if (goal->report().code == report.code) log(goal->id, report);
         means_.watcher.reportWalk(goal->id, goal->report());
+        if (!goal->request.twist) showIfRefused(goal->goal(), goal->report());
       } catch (const std::exception& error) {
         goal->end(internalError(error));
       }
     }
     book_.strike(goal);
   }
+}
+
+// Not what somebody called off.
+void Walker::showIfRefused(const WalkGoal& goal, const WalkReport& report) {
+  if (report.success() || report.code == GoalCode::PREEMPTED || report.code == GoalCode::SHUTDOWN) {
+    return;
+  }
+  means_.watcher.showRefused(goal.pose, goal.tolerance.xy_m, report);
 }
 
 WalkReport Walker::walkTo(OpenGoal& goal) {

@@ -56,6 +56,7 @@ class Walker {
   void examine(const GoalBook::Goal& goal);
   void walkToGoals();
   WalkReport walkTo(OpenGoal& goal);
+  void showIfRefused(const WalkGoal& goal, const WalkReport& report);
 
   Means means_;
   GoalExaminer examiner_;

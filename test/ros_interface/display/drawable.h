@@ -17,7 +17,7 @@ inline void expectDrawable(const visualization_msgs::MarkerArray& array) {
   std::set<std::pair<std::string, int>> names;
   for (const Marker& marker : array.markers) {
     EXPECT_TRUE(names.emplace(marker.ns, marker.id).second) << marker.ns << " " << marker.id;
-    if (marker.action == Marker::DELETE) continue;
+    if (marker.action == Marker::DELETE || marker.action == Marker::DELETEALL) continue;
     if (marker.type == Marker::TEXT_VIEW_FACING) {
       EXPECT_FALSE(marker.text.empty());
       EXPECT_GT(marker.scale.z, 0.0);

@@ -106,9 +106,15 @@ class FakePlayer : public BehaviorPlayer {
 class FakeWatcher : public WalkWatcher {
  public:
   void showGoal(const Pose2&) override { ++goals; }
-  void showPlan(const Pose2&, const PlanResult&, const std::vector<Pose2>&, const Pose2&,
-                double) override {
+  void showPlan(const Pose2&, const PlanResult&, const std::vector<WalkedStop>& walked,
+                const Pose2&, double) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    stops_ = walked;
     ++plans;
+  }
+  void showRefused(const Pose2&, double, const WalkReport& report) override {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    refused_.push_back(report);
   }
   void reportStep(const std::string&, std::uint32_t, const PlannedStep&, const Pose2&,
                   const Pose2&) override {
@@ -122,6 +128,15 @@ class FakeWatcher : public WalkWatcher {
     const std::lock_guard<std::mutex> lock(mutex_);
     return walks_;
   }
+  std::vector<WalkReport> refused() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return refused_;
+  }
+  /// Of the last plan.
+  std::vector<WalkedStop> stops() const {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return stops_;
+  }
   void tellStanding(const std::string&) override { ++standing; }
 
   std::atomic<int> goals{0};
@@ -132,6 +147,8 @@ class FakeWatcher : public WalkWatcher {
  private:
   mutable std::mutex mutex_;
   std::vector<WalkReport> walks_;
+  std::vector<WalkReport> refused_;
+  std::vector<WalkedStop> stops_;
 };
 
 /// Hears of a goal; waits for its end.

@@ -211,6 +211,34 @@ TEST_F(WalkerTest, TellsThatTheExecutorCannotGoOnWhileTheWalkThinks) {
   EXPECT_EQ(player_.begun, 1);
 }
 
+TEST_F(WalkerTest, ShowsWhereEachBehaviourWasPredictedToEndAndWhereItDid) {
+  const WalkReport report = walk(goalAt(1.2, 0.9, -1.0));
+  walker_.reset();  // all is shown
+  const std::vector<WalkedStop> stops = watcher_.stops();
+  ASSERT_EQ(stops.size(), report.steps + 1u);
+  EXPECT_FALSE(stops.front().predicted) << "it stood there";
+  for (std::size_t i = 1; i < stops.size(); ++i) {
+    ASSERT_TRUE(stops[i].predicted);
+    EXPECT_LT(distance(*stops[i].predicted, stops[i].measured), 1e-9) << "as the fake robot walks";
+  }
+  EXPECT_TRUE(watcher_.refused().empty());
+}
+
+TEST_F(WalkerTest, ShowsGoalsThatAreRefusedButNotThoseCalledOff) {
+  player_.becomeUnready("Disarmed; call ~arm.");
+  walk(goalAt(1.0, 0.0, 0.0));
+  player_.becomeUnready("");
+  player_.held = true;
+  Client client;
+  submit(client, goalAt(3.0, 0.0, 0.0));
+  while (player_.begun == 0) std::this_thread::yield();
+  walker_->cancelAll();
+  client.waitForEnd();
+  walker_.reset();
+  ASSERT_EQ(watcher_.refused().size(), 1u);
+  EXPECT_EQ(watcher_.refused().front().code, GoalCode::EXECUTOR_NOT_READY);
+}
+
 TEST_F(WalkerTest, SumsUpACancelledWalkAsSuch) {
   player_.held = true;
   Client client;
