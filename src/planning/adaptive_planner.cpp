@@ -96,6 +96,10 @@ double AdaptivePlanner::reach_m() const {
   return reach_m;
 }
 
+void AdaptivePlanner::prepare(const std::function<bool()>& stop) {
+  if (foresight_) foresight_->prepare(repertoire_, stop);
+}
+
 std::shared_ptr<const Planner> AdaptivePlanner::planner() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return planner_;
@@ -145,6 +149,7 @@ bool AdaptivePlanner::follow(const PlanRequest& request, PlanResult& result) con
 PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
   const std::shared_ptr<const Planner> planner = this->planner();
   PlanRequest corrected = request;
+  if (foresight_) corrected.first_prices = foresight_->caution(repertoire_);
   PlanResult best;
   double least = std::numeric_limits<double>::infinity(), effort = 0.0;
   for (int search = 0; search < kMostSearches; ++search) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 
@@ -35,6 +36,9 @@ class AdaptivePlanner {
 
   /// Plans along these paths from now on. Takes some 50 ms.
   void setPaths(EntryPaths paths);
+
+  /// Foresight::prepare() of the repertoire.
+  void prepare(const std::function<bool()>& stop);
 
   /// The planner as of the last observation; it stays as it is for whoever holds it.
   std::shared_ptr<const Planner> planner() const;

@@ -22,10 +22,15 @@ ChainTree::Index ChainTree::add(Index parent, Index move) {
   node.parent = parent;
   node.move = move;
   node.steps = from.steps + 1;
-  node.cost = from.cost + step.cost;
+  node.cost = from.cost + costOf(parent, move);
   node.uncertainty = from.uncertainty.after(step, kKeptWhenReplanned);
   nodes_.push_back(node);
   return size() - 1;
+}
+
+double ChainTree::costOf(Index node, Index move) const {
+  const double cost = tables_.moves[move].cost;
+  return node > 0 || problem_.first_prices.empty() ? cost : cost + problem_.first_prices[move];
 }
 
 bool ChainTree::isFree(Index node) {

@@ -21,6 +21,7 @@ struct SearchProblem {
   double least_clearance_m = 0.0;        ///< of the first move; negative: it leaves the margin
   std::vector<std::size_t> earlier;      ///< chain to keep when it still does
   double earlier_price = 0.0;            ///< that it was expected to have from here
+  std::vector<double> first_prices;      ///< of moves as the first one, beside; empty: none
   double effort = 1.0;                   ///< share of planning_time_s that may be spent
   std::function<bool()> stop;            ///< may be empty
   std::function<void(std::size_t steps)> improved;  ///< may be empty; called at each better plan
@@ -59,6 +60,9 @@ class ChainTree {
 
   /// The node after one more move; its way is tested when first asked for.
   Index add(Index parent, Index move);
+
+  /// What a move costs after a node, in behaviours.
+  double costOf(Index node, Index move) const;
 
   /// Whether the robot gets there without touching anything.
   bool isFree(Index node);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -45,6 +46,17 @@ class Foresight {
                                     const std::vector<Entry>& /*chain*/) const {
     return {};
   }
+
+  /// What each entry of a repertoire costs beside as the next behaviour, in behaviours: what it may
+  /// do to a robot of which nothing was measured yet. Null: nothing.
+  virtual std::shared_ptr<const std::vector<double>> caution(
+      const std::shared_ptr<const Repertoire>& /*repertoire*/) const {
+    return nullptr;
+  }
+
+  /// Thinks of what takes seconds and may wait, as caution() is; returns soon after `stop` is true.
+  virtual void prepare(const std::shared_ptr<const Repertoire>& /*repertoire*/,
+                       const std::function<bool()>& /*stop*/) {}
 
   /// What every behaviour moves the robot beyond that, in the world and wherever it heads: the
   /// downhill drift on a slope [m].

@@ -89,7 +89,7 @@ void GoalFinish::consider(Ending ending, const Pose2& robot_from_end) {
 double GoalFinish::priceOf(const Ending& ending, double distance_m, double heading_rad) const {
   const ChainTree::Node& node = tree_[ending.node];
   double price = node.cost;
-  if (ending.moves >= 1) price += tables_.moves[ending.first].cost;
+  if (ending.moves >= 1) price += tree_.costOf(ending.node, ending.first);
   if (ending.moves == 2) price += tables_.moves[ending.second].cost;
   const double least = price + end_cost_.margin(distance_m, heading_rad);
   if (least >= best_.price) return least;

@@ -48,6 +48,8 @@ struct PlanRequest {
   GoalPolicy goal_policy = GoalPolicy::kRefuse;
   /// Of the last plan to this goal, after its first step was walked.
   PlanMemory memory;
+  /// Optional: what each entry, by index, costs beside as the first behaviour, in behaviours.
+  std::shared_ptr<const std::vector<double>> first_prices;
   /// Share of planning_time_s that may be spent.
   double effort = 1.0;
 };

@@ -142,7 +142,9 @@ void Planner::search(const PlanRequest& request, PlanResult& result) const {
   if (found.found) {
     result.code = PlanCode::kFound;
     result.memory.price = found.price;
-    result.memory.first_price = tables_.moves[found.chain.front()].cost;
+    const std::size_t first = found.chain.front();
+    result.memory.first_price = tables_.moves[first].cost;
+    if (!problem.first_prices.empty()) result.memory.first_price += problem.first_prices[first];
     return;
   }
   result.steps.clear();
@@ -166,6 +168,11 @@ SearchProblem Planner::problemOf(const PlanRequest& request, const PlanResult& r
   if (request.obstacles) {
     problem.least_clearance_m =
         std::min(0.0, request.obstacles->clearance_m(request.world_from_start));
+  }
+  if (request.first_prices) {
+    for (const Move& move : tables_.moves) {
+      problem.first_prices.push_back(request.first_prices->at(move.entry));
+    }
   }
   const PlanMemory& memory = request.memory;
   for (std::size_t i = memory.is_begun ? 1 : 0; i < memory.entries.size(); ++i) {

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "self_model/caution.h"
+
 namespace hexapod {
 namespace {
 
@@ -64,6 +66,8 @@ SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
                      const SelfModelOptions& options, const std::optional<Physics>& told)
     : imagination_(std::make_shared<Imagination>(
           robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
+      planner_(options.planner),
+      is_told_(told.has_value()),
       imagined_(imagination_, options.planner),
       belief_(told ? BodyBelief(imagination_, *told)
                    : BodyBelief(imagination_, learned.physics, options.belief)),
@@ -77,6 +81,8 @@ SelfModel::SelfModel(const SelfModel& other)
 
 SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
     : imagination_(other.imagination_),
+      planner_(other.planner_),
+      is_told_(other.is_told_),
       imagined_(other.imagined_),
       belief_(other.belief_),
       first_belief_(other.first_belief_),
@@ -84,6 +90,7 @@ SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
       behaviors_(other.behaviors_),
       revision_(other.revision_),
       expected_(other.expected_),
+      caution_(other.caution_),
       drift_m_(other.drift_m_),
       residual_(other.residual_),
       residual_legs_(other.residual_legs_),
@@ -136,6 +143,21 @@ std::vector<Pose2> SelfModel::follow(const Pose2& world_from_start,
 Eigen::Vector2d SelfModel::drift_m() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return drift_m_;
+}
+
+std::shared_ptr<const std::vector<double>> SelfModel::caution(
+    const std::shared_ptr<const Repertoire>& repertoire) const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return behaviors_ == 0 && caution_.of == repertoire ? caution_.prices : nullptr;
+}
+
+// Without the lock for the most part: planning goes on meanwhile.
+void SelfModel::prepare(const std::shared_ptr<const Repertoire>& repertoire,
+                        const std::function<bool()>& stop) {
+  if (is_told_ || behaviors() > 0) return;
+  Caution caution{repertoire, cautionOf(*imagination_, first_belief_, *repertoire, planner_, stop)};
+  const std::lock_guard<std::mutex> lock(mutex_);
+  caution_ = std::move(caution);
 }
 
 void SelfModel::observe(const WalkedStep& step) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "planning/deviation.h"
 #include "planning/foresight.h"
@@ -48,6 +50,11 @@ class SelfModel : public Foresight {
   std::vector<Pose2> follow(const Pose2& world_from_start,
                             const std::vector<Entry>& chain) const override;
   Eigen::Vector2d drift_m() const override;
+  /// Of a repertoire that was prepared for, before the first behaviour.
+  std::shared_ptr<const std::vector<double>> caution(
+      const std::shared_ptr<const Repertoire>& repertoire) const override;
+  void prepare(const std::shared_ptr<const Repertoire>& repertoire,
+               const std::function<bool()>& stop) override;
 
   /// A copy of what is believed now.
   BodyBelief belief() const;
@@ -64,6 +71,10 @@ class SelfModel : public Foresight {
     std::shared_ptr<const Repertoire> repertoire;
     int revision = 0;
   };
+  struct Caution {
+    std::shared_ptr<const Repertoire> of;
+    std::shared_ptr<const std::vector<double>> prices;
+  };
 
   void learnErrors(const WalkedStep& step);
   void learnResidual(const SeenBehavior& seen);
@@ -72,6 +83,8 @@ class SelfModel : public Foresight {
   SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>& lock_of_other);
 
   const std::shared_ptr<const Imagination> imagination_;
+  const PlannerOptions planner_;
+  const bool is_told_;
   mutable std::mutex mutex_;
   ImaginedRepertoire imagined_;
   BodyBelief belief_;
@@ -80,6 +93,7 @@ class SelfModel : public Foresight {
   int behaviors_ = 0;         // observed
   int revision_ = 0;          // of the belief
   Expected expected_;
+  Caution caution_;
   Eigen::Vector2d drift_m_ = Eigen::Vector2d::Zero();
   DeviationEstimator residual_;  // of what a body with residual_legs_ does
   std::vector<LegState> residual_legs_;

@@ -160,7 +160,8 @@ std::vector<GoalWalk> walkToGoals(const RobotDescription& robot, const Repertoir
                  static_cast<int>(options.threads));
   const std::shared_ptr<Foresight> foresight =
       foresightFor(adaptation, robot, learned, body, options);
-  const AdaptivePlanner planner(repertoire, PlannerOptions(), foresight);
+  AdaptivePlanner planner(repertoire, PlannerOptions(), foresight);
+  planner.prepare([] { return false; });
   if (options.keep_belief) {
     std::vector<GoalWalk> walks;
     pool.forEach(1, [&](World& world, std::size_t) {

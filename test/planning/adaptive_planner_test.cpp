@@ -206,6 +206,55 @@ TEST(AdaptivePlanner, IsToldByAWalkHowFarTheJointsMoved) {
   EXPECT_TRUE(foresight->seen_.joints.empty()) << "those of the behaviour before";
 }
 
+// Asks for another first behaviour than one.
+class Wary : public Foresight {
+ public:
+  void observe(const WalkedStep&) override { is_wary_ = false; }
+  std::shared_ptr<const Repertoire> expected(
+      const std::shared_ptr<const Repertoire>& repertoire) override {
+    return repertoire;
+  }
+  std::shared_ptr<const std::vector<double>> caution(
+      const std::shared_ptr<const Repertoire>& repertoire) const override {
+    if (!is_wary_) return nullptr;
+    auto prices = std::make_shared<std::vector<double>>(repertoire->entries.size(), 0.0);
+    (*prices)[of] = 0.9;
+    return prices;
+  }
+  std::size_t of = 0;
+
+ private:
+  bool is_wary_ = true;
+};
+
+TEST(AdaptivePlanner, AvoidsAsTheFirstBehaviourWhatItsForesightIsWaryOf) {
+  const Repertoire repertoire = arcRepertoire(600, 1);
+  const PlanRequest request = requestTo({0.9, 0.3, 0.4});
+  const PlanResult usual = AdaptivePlanner(repertoire, {}, nullptr).plan(request);
+  ASSERT_GT(usual.steps.size(), 1u);
+  const auto wary = std::make_shared<Wary>();
+  wary->of = usual.steps.front().entry;
+  AdaptivePlanner planner(repertoire, {}, wary);
+  const PlanResult careful = planner.plan(request);
+  ASSERT_TRUE(careful.success());
+  EXPECT_NE(careful.steps.front().entry, wary->of);
+  EXPECT_EQ(careful.steps.size(), usual.steps.size()) << "others are as short";
+  planner.observe(0, {}, {});
+  EXPECT_EQ(planner.plan(request).steps.front().entry, wary->of);
+}
+
+TEST(AdaptivePlanner, WalksWhatItIsWaryOfWhereAllElseTakesAnotherBehaviour) {
+  Repertoire repertoire = arcRepertoire(600, 1);
+  const Pose2 end = repertoire.entries[3].expectedPose();
+  const auto wary = std::make_shared<Wary>();
+  wary->of = 3;
+  PlanRequest request = requestTo(end);
+  request.tolerance = {0.005, 0.02};
+  const PlanResult plan = AdaptivePlanner(repertoire, {}, wary).plan(request);
+  ASSERT_EQ(plan.steps.size(), 1u) << plan.message;
+  EXPECT_EQ(plan.steps.front().entry, 3u);
+}
+
 TEST(AdaptivePlanner, TakesTheRepertoireAtItsWordWithoutAForesight) {
   AdaptivePlanner planner(arcRepertoire(300, 1), PlannerOptions(), nullptr);
   const auto before = planner.planner();

@@ -124,6 +124,33 @@ TEST(SelfModel, FollowsAChainToWhereItLeads) {
   }
 }
 
+TEST(SelfModel, IsWaryAtFirstOfWhatFallsWithALimpLeg) {
+  const auto known = std::make_shared<Repertoire>(*repertoire());
+  WalkedBody body("");
+  known->entries.front().genome =
+      fallingGait(body.robot(), bodyFromText(body.robot(), "left_front: limp"));
+  SelfModel self_model(body.robot(), LearnedWorld(), oneThread());
+  EXPECT_EQ(self_model.caution(known), nullptr) << "not prepared";
+  self_model.prepare(known, [] { return true; });
+  EXPECT_EQ(self_model.caution(known), nullptr) << "stopped";
+  self_model.prepare(known, [] { return false; });
+  const auto prices = self_model.caution(known);
+  ASSERT_TRUE(prices);
+  ASSERT_EQ(prices->size(), known->entries.size());
+  EXPECT_GE(prices->front(), 0.6);
+  for (const double price : *prices) {
+    EXPECT_GE(price, 0.0);
+    EXPECT_LE(price, 1.2);
+  }
+  EXPECT_EQ(self_model.caution(repertoire()), nullptr) << "of another one";
+  EXPECT_EQ(SelfModel(self_model).caution(known), prices);
+  const Entry& walked = known->entries[1];
+  self_model.observe(stepOf(walked, body.walk(walked.genome)));
+  EXPECT_EQ(self_model.caution(known), nullptr) << "something was measured";
+  self_model.forget();
+  EXPECT_EQ(self_model.caution(known), prices);
+}
+
 TEST(SelfModel, FollowsNoChainThatFails) {
   const auto known = repertoire();
   Physics told;

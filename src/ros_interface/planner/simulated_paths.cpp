@@ -107,6 +107,7 @@ void SimulatedPaths::work() {
     }
     try {
       if (canSimulate(planner->repertoire())) simulate(*planner);
+      planner->prepare([this] { return isOutdated(); });
     } catch (const std::exception& error) {
       ROS_WARN_STREAM(
           "The ways of the repertoire's entries cannot be simulated, plans keep room "

@@ -1,0 +1,49 @@
+#include "self_model/caution.h"
+
+#include <algorithm>
+
+#include "planning/move.h"
+
+namespace hexapod {
+namespace {
+
+// Of legs out of order, limp ones alone throw a robot over that does not know of them. What all six
+// of them cost an intact robot: results/self_model.md.
+constexpr double kPricePerBody = 0.6;
+constexpr double kMostPrice = 1.2;
+
+bool hasLimpLeg(const BelievedBody& body) {
+  return std::any_of(body.legs.begin(), body.legs.end(),
+                     [](const LegState& leg) { return leg.condition == LegCondition::kLimp; });
+}
+
+}  // namespace
+
+std::shared_ptr<const std::vector<double>> cautionOf(const Imagination& imagination,
+                                                     const BodyBelief& belief,
+                                                     const Repertoire& repertoire,
+                                                     const PlannerOptions& planner,
+                                                     const std::function<bool()>& stop) {
+  auto prices = std::make_shared<std::vector<double>>(repertoire.entries.size(), 0.0);
+  const std::vector<Move> moves = usableMoves(repertoire, planner, {});
+  for (const BelievedBody& body : belief.bodies()) {
+    if (!hasLimpLeg(body)) continue;
+    std::vector<std::size_t> entries;  // of which it is worth knowing
+    std::vector<Genome> genomes;
+    for (const Move& move : moves) {
+      if ((*prices)[move.entry] >= kMostPrice) continue;
+      entries.push_back(move.entry);
+      genomes.push_back(repertoire.entries[move.entry].genome);
+    }
+    if (stop && stop()) return nullptr;
+    const std::vector<Outcome> outcomes =
+        imagination.playAll(genomes, {belief.physicsOf(body), &body.stand});
+    for (std::size_t i = 0; i < entries.size(); ++i) {
+      double& price = (*prices)[entries[i]];
+      if (!outcomes[i].walked()) price = std::min(price + kPricePerBody, kMostPrice);
+    }
+  }
+  return prices;
+}
+
+}  // namespace hexapod
