@@ -11,6 +11,8 @@ namespace {
 // of them cost an intact robot: results/self_model.md.
 constexpr double kPricePerBody = 0.6;
 constexpr double kMostPrice = 1.2;
+// So many are played before it is asked whether they are still wanted.
+constexpr std::size_t kAtOnce = 192;
 
 bool hasLimpLeg(const BelievedBody& body) {
   return std::any_of(body.legs.begin(), body.legs.end(),
@@ -28,19 +30,21 @@ std::shared_ptr<const std::vector<double>> cautionOf(const Imagination& imaginat
   const std::vector<Move> moves = usableMoves(repertoire, planner, {});
   for (const BelievedBody& body : belief.bodies()) {
     if (!hasLimpLeg(body)) continue;
-    std::vector<std::size_t> entries;  // of which it is worth knowing
-    std::vector<Genome> genomes;
-    for (const Move& move : moves) {
-      if ((*prices)[move.entry] >= kMostPrice) continue;
-      entries.push_back(move.entry);
-      genomes.push_back(repertoire.entries[move.entry].genome);
-    }
-    if (stop && stop()) return nullptr;
-    const std::vector<Outcome> outcomes =
-        imagination.playAll(genomes, {belief.physicsOf(body), &body.stand});
-    for (std::size_t i = 0; i < entries.size(); ++i) {
-      double& price = (*prices)[entries[i]];
-      if (!outcomes[i].walked()) price = std::min(price + kPricePerBody, kMostPrice);
+    const Imagination::Question question{belief.physicsOf(body), &body.stand};
+    for (std::size_t begin = 0; begin < moves.size(); begin += kAtOnce) {
+      if (stop && stop()) return nullptr;
+      std::vector<std::size_t> entries;  // of which it is worth knowing
+      std::vector<Genome> genomes;
+      for (std::size_t i = begin; i < std::min(begin + kAtOnce, moves.size()); ++i) {
+        if ((*prices)[moves[i].entry] >= kMostPrice) continue;
+        entries.push_back(moves[i].entry);
+        genomes.push_back(repertoire.entries[moves[i].entry].genome);
+      }
+      const std::vector<Outcome> outcomes = imagination.playAll(genomes, question);
+      for (std::size_t i = 0; i < entries.size(); ++i) {
+        double& price = (*prices)[entries[i]];
+        if (!outcomes[i].walked()) price = std::min(price + kPricePerBody, kMostPrice);
+      }
     }
   }
   return prices;

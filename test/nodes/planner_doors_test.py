@@ -31,7 +31,8 @@ UNARMED = (ExecutorState.DISARMED, ExecutorState.STOPPED)
 
 @pytest.fixture(scope="module")
 def session():
-    with ws.WalkingSession() as a_session:
+    # A dead robot is to be told of within TOLD_S; this much earlier its silence is one.
+    with ws.WalkingSession(params={"/executor/feedback_timeout_s": 1.0}) as a_session:
         yield a_session
 
 
