@@ -7,8 +7,8 @@
 namespace hexapod {
 namespace {
 
-// Of legs out of order, limp ones alone throw a robot over that does not know of them. What all six
-// of them cost an intact robot: results/self_model.md.
+// Of legs out of order, limp ones alone throw a robot over that does not know of them. What the
+// caution costs an intact one: results/self_model.md.
 constexpr double kPricePerBody = 0.6;
 constexpr double kMostPrice = 1.2;
 // So many are played before it is asked whether they are still wanted.

@@ -12,9 +12,9 @@
 namespace hexapod {
 
 /// What the entries of a repertoire cost as the first behaviour of a robot of which nothing was
-/// measured yet, by index, in behaviours: 0.6 for each leg with which, limp, it fails, at most 1.2.
-/// So the careful one of chains of the same length is walked, and another behaviour is worth it
-/// where all others fail with two legs or more.
+/// measured yet, by index, in behaviours: the more, the more legs there are with which, limp, it
+/// fails. So the careful one of chains of the same length is walked, and another behaviour is worth
+/// it where all of those fail with two legs or more.
 ///
 /// Every entry that is planned with is played in each of those bodies, from its stand: some seconds
 /// on one core for a thousand. Null when `stop` was true meanwhile.

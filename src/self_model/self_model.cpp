@@ -67,7 +67,6 @@ SelfModel::SelfModel(const RobotDescription& robot, const LearnedWorld& learned,
     : imagination_(std::make_shared<Imagination>(
           robot, learned.behavior, chooseEngine(options.engine, robot).engine, options.threads)),
       planner_(options.planner),
-      is_told_(told.has_value()),
       imagined_(imagination_, options.planner),
       belief_(told ? BodyBelief(imagination_, *told)
                    : BodyBelief(imagination_, learned.physics, options.belief)),
@@ -82,7 +81,6 @@ SelfModel::SelfModel(const SelfModel& other)
 SelfModel::SelfModel(const SelfModel& other, const std::lock_guard<std::mutex>&)
     : imagination_(other.imagination_),
       planner_(other.planner_),
-      is_told_(other.is_told_),
       imagined_(other.imagined_),
       belief_(other.belief_),
       first_belief_(other.first_belief_),
@@ -154,7 +152,7 @@ std::shared_ptr<const std::vector<double>> SelfModel::caution(
 // Without the lock for the most part: planning goes on meanwhile.
 void SelfModel::prepare(const std::shared_ptr<const Repertoire>& repertoire,
                         const std::function<bool()>& stop) {
-  if (is_told_ || behaviors() > 0) return;
+  if (behaviors() > 0) return;
   Caution caution{repertoire, cautionOf(*imagination_, first_belief_, *repertoire, planner_, stop)};
   const std::lock_guard<std::mutex> lock(mutex_);
   caution_ = std::move(caution);

@@ -84,7 +84,6 @@ class SelfModel : public Foresight {
 
   const std::shared_ptr<const Imagination> imagination_;
   const PlannerOptions planner_;
-  const bool is_told_;
   mutable std::mutex mutex_;
   ImaginedRepertoire imagined_;
   BodyBelief belief_;

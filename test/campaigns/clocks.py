@@ -105,6 +105,11 @@ def campaign(name, runs, told_s):
                     problems.append(f"run {run}: a clock that was set ended a walk with "
                                     f"{names.get(code, code)}: "
                                     f"{[a.answers[0].message for a in client.asked]}")
+            for asked in client.asked:
+                answer = asked.answers[0]
+                if (name == "jumps" and answer.code == GoToResponse.EXECUTOR_FAULT
+                        and "ROS time jumped back" not in answer.message):
+                    problems.append(f"run {run}: a jump ended a walk with: {answer.message}")
             if name == "frozen" and took_s > told_s:
                 problems.append(f"run {run}: told {took_s:.1f} s after time stood still")
             make_ready(client)
@@ -134,7 +139,8 @@ def main():
     names = [arguments.only] if arguments.only else ["set", "frozen", "jumps"]
     print(f"Seed {SEED}. The wall clock of all nodes is set by up to an hour, back or forth; "
           f"simulated time, at\n{FACTOR:g} times real time, stands still or jumps by 30 s or an "
-          "hour and back.\n")
+          "hour and back. EXECUTOR_FAULT where it\njumps: the behaviour was broken off because "
+          "ROS time jumped back, and says so.\n")
     print("| time is | runs | clients | their answers | longest wait after it [s] | "
           "next goals reached | planner left in [s] |\n|---|---|---|---|---|---|---|", flush=True)
     failed = False

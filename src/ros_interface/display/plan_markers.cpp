@@ -68,11 +68,6 @@ visualization_msgs::Marker textAt(const std::string& frame, const std::string& n
   return label;
 }
 
-// A list or line, if it is long enough to be drawn.
-void addShown(const visualization_msgs::Marker& list, visualization_msgs::MarkerArray& array) {
-  if (shown(list).action == visualization_msgs::Marker::ADD) array.markers.push_back(list);
-}
-
 void addPlan(const PlanPicture& picture, visualization_msgs::MarkerArray& array) {
   auto path = marker(picture.frame, "path", 0, visualization_msgs::Marker::LINE_STRIP, 0.008);
   auto stops = marker(picture.frame, "stops", 0, visualization_msgs::Marker::POINTS, 0.025);
@@ -88,7 +83,7 @@ void addPlan(const PlanPicture& picture, visualization_msgs::MarkerArray& array)
         textAt(picture.frame, "numbers", static_cast<int>(number), std::to_string(number), pose));
     ++number;
   }
-  for (const auto& list : {path, stops, headings}) addShown(list, array);
+  for (const auto& list : {path, stops, headings}) array.markers.push_back(shown(list));
 }
 
 void addTrail(const PlanPicture& picture, visualization_msgs::MarkerArray& array) {
@@ -110,7 +105,7 @@ void addTrail(const PlanPicture& picture, visualization_msgs::MarkerArray& array
     misses.points.push_back(onFloor(miss.predicted));
     misses.points.push_back(onFloor(miss.reached));
   }
-  for (const auto& list : {trail, reached, predicted, misses}) addShown(list, array);
+  for (const auto& list : {trail, reached, predicted, misses}) array.markers.push_back(shown(list));
 }
 
 }  // namespace

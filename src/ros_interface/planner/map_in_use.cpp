@@ -18,14 +18,18 @@ bool isSame(const Pose2& a, const Pose2& b) {
   return distance(a, b) < kSame_m && headingDistance(a, b) < kSame_rad;
 }
 
+// The user's word, or what is known of the robot.
+std::optional<Footprint> footprintOf(const PlannerNodeOptions& options,
+                                     const std::optional<Footprint>& known) {
+  if (options.footprint_radius_m <= 0.0) return known;
+  return Footprint{{{0.0, 0.0, options.footprint_radius_m}}};
+}
+
 }  // namespace
 
 MapInUse::MapInUse(const PlannerNodeOptions& options, const tf2::BufferCore& buffer,
                    const std::optional<Footprint>& footprint)
-    : options_(options), buffer_(buffer), footprint_(footprint) {
-  if (options.footprint_radius_m > 0.0) {
-    footprint_ = Footprint{{{0.0, 0.0, options.footprint_radius_m}}};
-  }
+    : options_(options), buffer_(buffer), footprint_(footprintOf(options, footprint)) {
   thread_ = std::thread(&MapInUse::work, this);
 }
 

@@ -31,6 +31,9 @@ class MapInUse {
   MapInUse(const MapInUse&) = delete;
   MapInUse& operator=(const MapInUse&) = delete;
 
+  /// That obstacles are kept from, without margin; nothing when it is not known.
+  const std::optional<Footprint>& footprint() const { return footprint_; }
+
   /// Takes a map, or an update of the one there is. Empty, or a sentence that says why not.
   /// @{
   std::string take(const nav_msgs::OccupancyGrid& message);
@@ -60,7 +63,7 @@ class MapInUse {
 
   const PlannerNodeOptions& options_;
   const tf2::BufferCore& buffer_;
-  std::optional<Footprint> footprint_;
+  const std::optional<Footprint> footprint_;
 
   mutable std::mutex taking_mutex_;
   mutable std::condition_variable changed_;

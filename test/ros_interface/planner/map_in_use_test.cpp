@@ -145,7 +145,8 @@ TEST_F(MapInUseTest, NeedsToKnowTheRobot) {
   EXPECT_EQ(nobody.obstacles(), nullptr);
   PlannerNodeOptions options;
   options.footprint_radius_m = 0.3;
-  MapInUse told(options, buffer_, std::nullopt);
+  MapInUse told(options, buffer_, Footprint{{{0.0, 0.0, 0.2}}});
+  EXPECT_EQ(told.footprint()->outer_m(), 0.3) << "shown is what is kept free";
   EXPECT_EQ(told.take(halfOccupied({}, "odom")), "");
   told.settle();
   EXPECT_FALSE(told.obstacles()->isFree({-0.3, 0.0, 0.0}));

@@ -37,6 +37,15 @@ class WalkerTest : public testing::Test {
     return report;
   }
 
+  void cancelInMidBehaviour() {
+    player_.held = true;
+    Client client;
+    submit(client, goalAt(3.0, 0.0, 0.0));
+    while (player_.begun == 0) std::this_thread::yield();
+    walker_->cancelAll();
+    client.waitForEnd();
+  }
+
   PlannerNodeOptions options_;
   FakeClock clock_;
   FakePoseSource poses_;
@@ -228,24 +237,14 @@ TEST_F(WalkerTest, ShowsGoalsThatAreRefusedButNotThoseCalledOff) {
   player_.becomeUnready("Disarmed; call ~arm.");
   walk(goalAt(1.0, 0.0, 0.0));
   player_.becomeUnready("");
-  player_.held = true;
-  Client client;
-  submit(client, goalAt(3.0, 0.0, 0.0));
-  while (player_.begun == 0) std::this_thread::yield();
-  walker_->cancelAll();
-  client.waitForEnd();
+  cancelInMidBehaviour();
   walker_.reset();
   ASSERT_EQ(watcher_.refused().size(), 1u);
   EXPECT_EQ(watcher_.refused().front().code, GoalCode::EXECUTOR_NOT_READY);
 }
 
 TEST_F(WalkerTest, SumsUpACancelledWalkAsSuch) {
-  player_.held = true;
-  Client client;
-  submit(client, goalAt(3.0, 0.0, 0.0));
-  while (player_.begun == 0) std::this_thread::yield();
-  walker_->cancelAll();
-  client.waitForEnd();
+  cancelInMidBehaviour();
   walker_.reset();
   ASSERT_EQ(watcher_.walks().size(), 1u);
   EXPECT_EQ(watcher_.walks().front().code, GoalCode::PREEMPTED);
