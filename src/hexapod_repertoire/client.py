@@ -57,11 +57,19 @@ def call(name: str) -> int:
     return 0 if response.success else 1
 
 
-def tell_steps(message: WalkToActionFeedback) -> None:
-    """One line before each behaviour."""
+def tell_step(message: WalkToActionFeedback) -> None:
+    """One line before each behaviour; before the first that the goal was accepted."""
     feedback = message.feedback
-    print(f"step {feedback.step + 1} of {max(feedback.steps_planned, feedback.step + 1)}, "
-          f"{feedback.distance_left_m:.2f} m left")
+    steps = max(feedback.steps_planned, feedback.step + 1)
+    if feedback.step == 0:
+        print(f"Accepted: {steps} behaviour{'s' if steps > 1 else ''} planned.")
+    print(f"step {feedback.step + 1} of {steps}, {feedback.distance_left_m:.2f} m left")
+
+
+def tell_end_of_step(report: StepReport) -> None:
+    """One line after each behaviour."""
+    print(f"  ended {100.0 * report.xy_error_m:.1f} cm and {math.degrees(report.yaw_error_rad):.1f} "
+          "deg from where it was predicted")
 
 
 def goal_of(arguments: argparse.Namespace) -> WalkToGoal:
@@ -76,12 +84,16 @@ def goal_of(arguments: argparse.Namespace) -> WalkToGoal:
                       yaw_tolerance_rad=-1.0 if yaw_deg is None else 0.0)
 
 
-def end_of_walk(result: WalkToResult, is_plan: bool) -> str:
+def end_of_walk(result: WalkToResult, goal: WalkToGoal) -> str:
     """What became of the goal, in a sentence or two."""
     text = result.message
-    if result.plan.poses and is_plan:
+    if result.plan.poses and goal.plan_only:
         x_m, y_m, yaw = to_pose(result.plan.poses[-1].pose)
         text += f" It would end at {x_m:.2f} m, {y_m:.2f} m, {math.degrees(yaw):.0f} deg."
+    elif result.final_pose.header.frame_id:
+        turned = f" and {math.degrees(result.final_yaw_error_rad):.1f} deg"
+        text += (f" It stands {100.0 * result.final_xy_error_m:.1f} cm"
+                 f"{turned if goal.yaw_tolerance_rad >= 0.0 else ''} from the goal.")
     if result.code != GoToResponse.SUCCEEDED:
         text = f"{CODES.get(result.code, result.code)}: {text}"
     return text
@@ -111,7 +123,8 @@ def go(arguments: argparse.Namespace) -> int:
     """Walks; 0 only if the goal was reached. Ctrl-C cancels the goal."""
     goal = goal_of(arguments)
     walker = Walker()
-    _steps = rospy.Subscriber("walk_to/feedback", WalkToActionFeedback, tell_steps)
+    _steps = rospy.Subscriber("walk_to/feedback", WalkToActionFeedback, tell_step)
+    _ends = rospy.Subscriber("planner/step_report", StepReport, tell_end_of_step)
     logbook = Logbook(arguments.log)
     try:
         result = walker.walk(goal)
@@ -119,7 +132,7 @@ def go(arguments: argparse.Namespace) -> int:
         walker.cancel()
         print("Cancelled: the robot stops at the end of its behaviour.", file=sys.stderr)
         return INTERRUPTED
-    print(end_of_walk(result, arguments.plan))
+    print(end_of_walk(result, goal))
     logbook.write()
     return 0 if result.code == GoToResponse.SUCCEEDED else 1
 

@@ -2,7 +2,9 @@
 """What clients of a walking robot rely on when something happens; no simulated time."""
 import math
 import os
+import re
 import signal
+import subprocess
 import sys
 import time
 
@@ -122,6 +124,28 @@ def test_a_burst_of_goals_and_cancels_is_answered_each_goal_once(client):
     expect_standstill(client)
     for results in burst.answers().values():
         assert [result.result.code for result in results] == [code("PREEMPTED")]
+
+
+def go(*words):
+    """./run go: (exit code, what it printed)."""
+    result = subprocess.run([sys.executable, "-m", "hexapod_repertoire.client", "go", *words],
+                            stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                            universal_newlines=True, timeout=120.0, env=os.environ, check=False)
+    return result.returncode, result.stdout
+
+
+def test_the_command_line_tells_what_is_planned_and_what_came_of_it(client):
+    x_m, y_m, _ = client.pose()
+    place = (f"{x_m + 0.5:.3f}", f"{y_m:.3f}")
+    code_of_plan, text = go(*place, "--plan")
+    assert code_of_plan == 0 and "It would end at" in text and "step" not in text, text
+    code_of_walk, text = go(*place)
+    assert code_of_walk == 0, text
+    assert re.match(r"Accepted: \d+ behaviours? planned\.\nstep 1 of \d+, 0\.\d\d m left\n", text), text
+    assert re.search(r"  ended \d\.\d cm and \d\.\d deg from where it was predicted", text), text
+    assert re.search(r"Arrived at .* It stands \d\.\d cm from the goal\.", text), text
+    code_of_refusal, text = go("500", "0", "0")
+    assert code_of_refusal == 1 and "INVALID_GOAL" in text and "max_goal_distance_m" in text, text
 
 
 def test_a_client_of_move_base_walks_cancels_and_plans(client):
