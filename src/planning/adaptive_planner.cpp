@@ -35,12 +35,6 @@ Pose2 difference(const Pose2& a, const Pose2& b) {
   return {a.x_m - b.x_m, a.y_m - b.y_m, wrapAngle(a.yaw_rad - b.yaw_rad)};
 }
 
-// By how much a plan misses its target, as a share of the tolerance.
-double shareMissed(const PlanResult& plan, const GoalTolerance& tolerance) {
-  const double turned = tolerance.anyHeading() ? 0.0 : plan.heading_rad / tolerance.yaw_rad;
-  return std::max(plan.distance_m / tolerance.xy_m, turned);
-}
-
 // The behaviours of a plan, and how surely they are all: one that misses needs at least another.
 double priceOf(const PlanResult& plan, double missed) {
   const double more = missed <= 1.0 ? missed * missed : 1.0 + std::min(1.0, missed - 1.0);
@@ -152,6 +146,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
   if (foresight_) corrected.first_prices = foresight_->caution(repertoire_);
   PlanResult best;
   double least = std::numeric_limits<double>::infinity(), effort = 0.0;
+  std::size_t proved = 0;
   for (int search = 0; search < kMostSearches; ++search) {
     PlanResult found = planDrifting(*planner, corrected);
     effort += found.effort;
@@ -160,6 +155,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
       if (search == 0) return found;
       break;
     }
+    if (search == 0) proved = found.at_least_steps;  // those after it are to other goals
     // What was planned to is where the corrected goal is from the goal.
     found.world_from_target = sum(found.world_from_target,
                                   difference(request.world_from_goal, corrected.world_from_goal));
@@ -167,7 +163,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
     found.heading_rad = headingDistance(found.world_from_end, found.world_from_target);
     corrected.world_from_goal =
         difference(request.world_from_goal, difference(found.world_from_end, promised));
-    const double missed = shareMissed(found, request.tolerance);
+    const double missed = found.shareMissed(request.tolerance);
     const double price = priceOf(found, missed);
     if (price < least) {
       least = price;
@@ -176,6 +172,7 @@ PlanResult AdaptivePlanner::plan(const PlanRequest& request) const {
     if (missed <= kSurelyThere) break;
   }
   best.effort = effort;
+  best.at_least_steps = std::min(proved, best.steps.size());
   best.message = describe(best, request, options_);  // with the poses followed
   return best;
 }

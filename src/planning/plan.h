@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -56,7 +57,7 @@ struct PlanRequest {
 
 /// How planning ended. Only kFound and kAlreadyThere are successes.
 enum class PlanCode {
-  kFound,
+  kFound,          ///< a chain of entries that each end where they are expected to leads there
   kAlreadyThere,   ///< the start is within tolerance: no steps
   kInvalidGoal,    ///< not finite, too far, impossible tolerance
   kNoRepertoire,   ///< no entry that may be planned with
@@ -90,13 +91,15 @@ struct PlanResult {
   /// heading by their tolerances; with kBlocked and kGoalOccupied the nearest free pose that has a
   /// way, if there is one. Otherwise the start.
   Pose2 world_from_end;
-  double distance_m = 0.0;   ///< from that end to the target
+  /// From that end to the target. More than the tolerance where a Foresight follows the chain and
+  /// found none that leads nearer: a walk plans anew after each behaviour.
+  double distance_m = 0.0;
   double heading_rad = 0.0;  ///< between that end and the target, 0 .. pi
   /// Expected root mean square error of the end if the plan were walked blindly. (Planned anew
   /// after each behaviour, little more than the last behaviour's own spread is left.)
   double spread_m = 0.0;
   double spread_rad = 0.0;
-  /// Proved: no plan to the target has fewer behaviours.
+  /// Proved: no plan to the target has fewer behaviours that each end where they are expected to.
   std::size_t at_least_steps = 0;
   double length_m = 0.0;    ///< way of base_footprint along the plan
   double duration_s = 0.0;  ///< of its behaviours
@@ -107,6 +110,11 @@ struct PlanResult {
   double effort = 0.0;
 
   bool success() const { return code == PlanCode::kFound || code == PlanCode::kAlreadyThere; }
+  /// By how much its end misses the target, as a share of the tolerance: up to 1 within.
+  double shareMissed(const GoalTolerance& tolerance) const {
+    const double turned = tolerance.anyHeading() ? 0.0 : heading_rad / tolerance.yaw_rad;
+    return std::max(distance_m / tolerance.xy_m, turned);
+  }
   /// Behaviours that a better plan may save at most.
   std::size_t gap() const { return steps.size() - std::min(steps.size(), at_least_steps); }
 };

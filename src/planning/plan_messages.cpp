@@ -38,13 +38,15 @@ std::string describeFailure(const PlanResult& result, const PlanRequest& request
   }
 }
 
-/// "Plan of 3 behaviours", and what is proved of their number.
-std::string describeLength(const PlanResult& result) {
+/// "Plan of 3 behaviours", and what is proved of their number where it is one that arrives.
+std::string describeLength(const PlanResult& result, bool arrives) {
   const std::size_t steps = result.steps.size();
-  return "Plan of " + std::to_string(steps) + (steps == 1 ? " behaviour" : " behaviours") +
-         (result.gap() == 0
-              ? " (no plan has fewer)"
-              : " (at least " + std::to_string(result.at_least_steps) + " are needed)");
+  const std::string plan =
+      "Plan of " + std::to_string(steps) + (steps == 1 ? " behaviour" : " behaviours");
+  if (!arrives) return plan;
+  return plan + (result.gap() == 0
+                     ? " (no plan has fewer)"
+                     : " (at least " + std::to_string(result.at_least_steps) + " are needed)");
 }
 
 /// "1.2 m in 11.7 s", and the room it keeps among obstacles.
@@ -135,13 +137,18 @@ std::string describe(const PlanResult& result, const PlanRequest& request,
   if (distance(result.world_from_target, request.world_from_goal) > 0.0) {
     end += poseText(result.world_from_target) + ", the nearest free pose to ";
   }
-  end += "the goal.";
+  end += "the goal";
   if (result.code == PlanCode::kFound) {
-    return describeLength(result) + ", " + describeWay(result, request) + ", predicted to end " +
-           end;
+    const bool arrives = result.shareMissed(request.tolerance) <= 1.0;
+    return describeLength(result, arrives) + ", " + describeWay(result, request) +
+           ", predicted to end " + end +
+           (arrives ? "."
+                    : ", outside of the tolerance: of the body that the robot is believed to have "
+                      "no chain was found that leads nearer, and a walk plans anew after each "
+                      "behaviour.");
   }
   return describeFailure(result, request, options) + "; the nearest pose found is " +
-         poseText(result.world_from_end) + ", " + end;
+         poseText(result.world_from_end) + ", " + end + ".";
 }
 
 }  // namespace hexapod

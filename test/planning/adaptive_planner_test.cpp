@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <memory>
 
 #include "arc_repertoire.h"
@@ -169,12 +170,41 @@ TEST(AdaptivePlanner, PlansWithWhereChainsReallyLead) {
     EXPECT_LT(distance(plan.world_from_target, request.world_from_goal), 1e-9);
     const std::string told = numberText(plan.distance_m, 3) + " m and ";
     EXPECT_NE(plan.message.find("predicted to end " + told), std::string::npos) << plan.message;
+    EXPECT_LE(plan.at_least_steps, plan.steps.size());
     arriving +=
         plan.distance_m <= request.tolerance.xy_m && plan.heading_rad <= request.tolerance.yaw_rad;
     longer += plan.steps.size() > 1;
   }
   EXPECT_GE(arriving, 29);
   EXPECT_GE(longer, 20);
+}
+
+// A robot of which nobody knows where it ends.
+class Stray : public Following {
+ public:
+  std::vector<Pose2> follow(const Pose2& world_from_start,
+                            const std::vector<Entry>& chain) const override {
+    std::vector<Pose2> poses = Following::follow(world_from_start, chain);
+    direction_rad_ += 2.0;
+    poses.back() =
+        poses.back() * Pose2{0.2 * std::cos(direction_rad_), 0.2 * std::sin(direction_rad_), 0.0};
+    return poses;
+  }
+
+ private:
+  mutable double direction_rad_ = 0.0;
+};
+
+TEST(AdaptivePlanner, SaysWhereNoChainThatItFollowedEndsWithinTheTolerance) {
+  const Repertoire repertoire = arcRepertoire(300, 1);
+  const AdaptivePlanner planner(repertoire, PlannerOptions(), std::make_shared<Stray>());
+  const PlanRequest request = requestTo({0.9, 0.4, 0.5});
+  const PlanResult plan = planner.plan(request);
+  ASSERT_EQ(plan.code, PlanCode::kFound) << plan.message;
+  EXPECT_GT(plan.shareMissed(request.tolerance), 1.0);
+  EXPECT_NE(plan.message.find("from the goal, outside of the tolerance"), std::string::npos)
+      << plan.message;
+  EXPECT_EQ(plan.message.find("no plan has fewer"), std::string::npos) << plan.message;
 }
 
 TEST(AdaptivePlanner, PlansWithWhatIsExpectedAfterAnObservation) {
