@@ -3,6 +3,7 @@
 #include <iostream>
 #include <stdexcept>
 
+#include "common/text.h"
 #include "robot/load_robot.h"
 #include "tools/bench_agreement.h"
 #include "tools/bench_cases.h"
@@ -65,6 +66,9 @@ void measureLearning(const RobotDescription& robot, const BenchOptions& options)
     learn.seed = options.seed;
     std::cout << describe(preset + ".yaml", measureLearning(robot, learn)) << std::flush;
   }
+  std::cout << "\nTwo threads that never wait have "
+            << fixedText(cpuOfTwoThreads(options.seconds_per_case), 2)
+            << " times the processor time that passes.\n";
 }
 
 int bench(const std::vector<std::string>& arguments) {

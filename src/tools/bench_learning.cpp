@@ -1,9 +1,11 @@
 #include "tools/bench_learning.h"
 
 #include <atomic>
+#include <chrono>
 #include <deque>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "common/text.h"
 #include "learning/learning_run.h"
@@ -63,6 +65,20 @@ std::vector<LearningSpeed> measureLearning(const RobotDescription& robot,
     speeds.push_back(racer.speed);
   }
   return speeds;
+}
+
+double cpuOfTwoThreads(double seconds) {
+  std::atomic<bool> stop{false};
+  const double cpu_s = processCpu_s(), begin_s = wall_s();
+  const auto keepBusy = [&] {
+    while (!stop) continue;
+  };
+  std::thread one(keepBusy), other(keepBusy);
+  std::this_thread::sleep_for(std::chrono::duration<double>(seconds));
+  stop = true;
+  one.join();
+  other.join();
+  return (processCpu_s() - cpu_s) / (wall_s() - begin_s);
 }
 
 std::string describe(const std::string& preset, const std::vector<LearningSpeed>& speeds) {

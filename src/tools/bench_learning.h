@@ -24,6 +24,10 @@ struct LearningSpeed {
 std::vector<LearningSpeed> measureLearning(const RobotDescription& robot,
                                            const LearnOptions& options);
 
+/// Processor time per time of two threads that never wait for anything, over so many seconds: the
+/// most that a run of two threads can have beside whatever else the machine does.
+double cpuOfTwoThreads(double seconds);
+
 /// Rows of the table of learning, whose heading is kLearningHeading; the one with one thread first.
 std::string describe(const std::string& preset, const std::vector<LearningSpeed>& speeds);
 extern const char* const kLearningHeading;
