@@ -4,7 +4,7 @@
     results/measure_learning.py --programs <folder of evolve and assess_repertoire>
 
 A budget is processor time of the whole session, checks and file included, with one thread: twice
-the seconds that two cores have. How many candidates that is, is found with a seed that is not
+the seconds that two cores have. How many candidates that is, is found with seeds that are not
 reported. Every session is a line of results/learning_sessions.csv and is not learned again: more
 seeds add to those that are there. Delete the file where a change moves what is learned.
 """

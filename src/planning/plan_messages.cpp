@@ -8,6 +8,9 @@
 namespace hexapod {
 namespace {
 
+// Poses nearer to each other differ by rounding only.
+constexpr double kSame_m = 1e-9;
+
 std::string text(double number) { return numberText(number, 3); }
 
 /// Why there is no plan, up to the nearest pose.
@@ -134,7 +137,7 @@ std::string describe(const PlanResult& result, const PlanRequest& request,
   }
   std::string end =
       text(result.distance_m) + " m and " + text(result.heading_rad / kDegree) + " deg from ";
-  if (distance(result.world_from_target, request.world_from_goal) > 0.0) {
+  if (distance(result.world_from_target, request.world_from_goal) > kSame_m) {
     end += poseText(result.world_from_target) + ", the nearest free pose to ";
   }
   end += "the goal";

@@ -171,6 +171,7 @@ TEST(AdaptivePlanner, PlansWithWhereChainsReallyLead) {
     const std::string told = numberText(plan.distance_m, 3) + " m and ";
     EXPECT_NE(plan.message.find("predicted to end " + told), std::string::npos) << plan.message;
     EXPECT_LE(plan.at_least_steps, plan.steps.size());
+    EXPECT_EQ(plan.message.find("the nearest free pose"), std::string::npos) << plan.message;
     arriving +=
         plan.distance_m <= request.tolerance.xy_m && plan.heading_rad <= request.tolerance.yaw_rad;
     longer += plan.steps.size() > 1;
