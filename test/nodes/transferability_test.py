@@ -22,7 +22,7 @@ OPTIONS = {"evaluations": 900, "candidates": 100, "seed": 1, "threads": 1, "vali
 @pytest.fixture(scope="module")
 def session():
     nodes = ("repertoire_server", "simulated_robot", "executor")
-    with ws.WalkingSession(real_time_factor=4.0, sim_time=True, nodes=()) as a_session:
+    with ws.WalkingSession(real_time_factor=2.0, sim_time=True, nodes=()) as a_session:
         a_session.set_param("/simulated_robot/servo_gain_scale", 0.6)
         for node in nodes:
             a_session.start(node)

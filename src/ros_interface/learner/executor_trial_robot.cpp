@@ -10,6 +10,7 @@ namespace {
 constexpr double kHistory_s = 10.0;
 constexpr double kWatch_s = 0.1;
 constexpr std::int64_t kFirstState_ns = 2 * kSecond_ns;
+constexpr int kTries = 3;  // of a behaviour of which the executor skipped commands
 
 }  // namespace
 
@@ -42,8 +43,11 @@ TrialRobot::Result ExecutorTrialRobot::play(const Genome& genome) {
   if (!problem.empty()) return {false, std::nullopt, problem};
   Entry entry;
   entry.genome = genome;
-  const MeasuredBehavior measured = playMeasured(
-      {executor, poses_, ros::Duration(options_.pose_settle_s)}, {entry, "", stops, leaves_});
+  MeasuredBehavior measured;
+  for (int i = 0; i < kTries && (i == 0 || measured.skipped > 0); ++i) {
+    measured = playMeasured({executor, poses_, ros::Duration(options_.pose_settle_s)},
+                            {entry, "", stops, leaves_});
+  }
   if (!measured.problem.empty()) return {false, std::nullopt, measured.problem};
   return {true, inverse(*measured.start) * *measured.reached, ""};
 }

@@ -16,8 +16,8 @@ namespace hexapod {
 
 /// The robot of the running session: its executor plays, tf tells where it ends. A robot that is
 /// not armed, or whose pose is not known, is not moved; a behaviour some of whose commands were
-/// skipped was not played. The first trial waits for the executor's state, which comes once a
-/// second.
+/// skipped is played again, and was not played where three tries were like that. The first trial
+/// waits for the executor's state, which comes once a second.
 class ExecutorTrialRobot : public TrialRobot {
  public:
   /// `leaves`: breaks a trial off. The clock must outlive it.

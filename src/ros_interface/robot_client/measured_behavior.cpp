@@ -23,8 +23,9 @@ MeasuredBehavior playMeasured(const RobotAccess& robot, const BehaviorPlayer::Or
   const PoseReading after = robot.poses.restPose(result.finished + robot.settle, order.interrupted);
   measured.reached = after.pose;
   measured.problem = after.problem;
-  if (result.skipped > 0) {
-    measured.problem = std::to_string(result.skipped) + " of its commands were skipped.";
+  measured.skipped = result.skipped;
+  if (measured.skipped > 0) {
+    measured.problem = std::to_string(measured.skipped) + " of its commands were skipped.";
   }
   return measured;
 }

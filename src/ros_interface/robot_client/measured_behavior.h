@@ -2,6 +2,7 @@
 
 #include <ros/duration.h>
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -22,7 +23,8 @@ struct RobotAccess {
 struct MeasuredBehavior {
   std::optional<Pose2> start;    ///< base_footprint before it in the global frame, where known
   std::optional<Pose2> reached;  ///< after it; none when it was not played to its end
-  std::string problem;           ///< a sentence, empty when it was
+  std::uint32_t skipped = 0;     ///< of its commands; a problem
+  std::string problem;           ///< a sentence, empty when it was played and measured
 };
 
 /// Has a behaviour played once the robot is ready, and measures where it begins and ends, at rest.
