@@ -92,18 +92,22 @@ def play_all(plan: typing.Sequence[typing.Mapping[str, str]], poses: Poses,
     """Rows of the trials: what was planned, with the poses before and after.
 
     A behaviour some of whose commands were skipped is played again; one that never was whole is
-    left out.
+    left out. What is played again begins in a state that the fit does not know: the feet lie
+    otherwise than after the behaviour before.
     """
     rows = []
     before = poses.since(rospy.Time.now())
     for number, row in enumerate(plan):
+        skipped = 0
         for _ in range(TRIES):
             result = player.play(row["genome"])
             start, before = before, poses.since(result.finished + rospy.Duration(SETTLE_S))
             if result.code == ExecuteBehaviorResult.SUCCEEDED:
                 rows.append(dict(zip(COLUMNS, (row["use"], row["genome"], *start, *before))))
                 break
-        print(f"{number + 1} of {len(plan)} behaviours played", flush=True)
+            skipped += 1
+        again = f", {skipped} tries with skipped commands" if skipped else ""
+        print(f"{number + 1} of {len(plan)} behaviours played{again}", flush=True)
     return rows
 
 

