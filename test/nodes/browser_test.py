@@ -23,7 +23,7 @@ WALL_TIMEOUT_S = 30.0
 @pytest.fixture(scope="module", name="session")
 def start_session():
     nodes = ("repertoire_server", "simulated_robot", "executor", "browser")
-    with WalkingSession(real_time_factor=4.0, sim_time=True, nodes=nodes, validation_trials=25,
+    with WalkingSession(real_time_factor=2.0, sim_time=True, nodes=nodes, validation_trials=25,
                         params={"/browser/robot_config": str(ROOT / "config/hexapod.yaml"),
                                 "/browser/player": "robot"}) as session:
         rospy.init_node("browser_test", disable_signals=True)
