@@ -44,7 +44,7 @@ std::string describeFailure(const PlanResult& result, const PlanRequest& request
 /// "Plan of 3 behaviours", and what is proved of their number where it is one that arrives.
 std::string describeLength(const PlanResult& result, bool arrives) {
   const std::size_t steps = result.steps.size();
-  const std::string plan =
+  std::string plan =
       "Plan of " + std::to_string(steps) + (steps == 1 ? " behaviour" : " behaviours");
   if (!arrives) return plan;
   return plan + (result.gap() == 0
