@@ -86,13 +86,13 @@ Genome fallingGait(const RobotDescription& robot, const Physics& body) {
   const WorldState stand = *imagination.stands({body}).front();
   Random random(1);
   while (true) {
-    const Genome genome = randomGenome(random);
+    Genome genome = randomGenome(random);
     if (imagination.play(genome, {{body, &stand}}).front().verdict == Verdict::kFell) return genome;
   }
 }
 
 TEST(SelfModel, ExpectsARobotThatFellToHaveBeenStoodUp) {
-  const RobotDescription robot = shippedRobot();
+  const RobotDescription& robot = shippedRobot();
   const Physics limp = bodyFromText(robot, "right_rear: limp", Physics());
   SelfModel self_model(robot, LearnedWorld(), oneThread(), limp);
   const auto known = repertoire();

@@ -117,7 +117,7 @@ GoalExaminer::Refusal GoalExaminer::readGoal(const GoalRequest& request, const S
     return refused;
   }
   Waypoint last;
-  const auto refused = readPose(request, stop, last);
+  auto refused = readPose(request, stop, last);
   goal.pose = last.world_from_goal;
   goal.tolerance = last.tolerance;
   return refused;
